@@ -37,8 +37,11 @@ void Lead(Fields& fields, double& lead, double& lead_damper) {
 
 }  // namespace
 
+// Where a behavior has `updates`, its points may come with the first of them.
+
 void DescribeKind(Fields& fields, WaypointOptions& o, bool is_recipe) {
-  if (!is_recipe) fields.Require("points", "points = [[0, 0], [100, 0]]");
+  const bool waits = fields.Has("updates", false);
+  if (!is_recipe && !waits) fields.Require("points", "points = [[0, 0], [100, 0]]");
   PointList(fields, "points", o.points);
   AltSpeed(fields, o.speed, o.speed_alt, o.use_alt_speed);
   Capture(fields, "capture_radius", o.capture_radius, o.slip_radius);
@@ -75,10 +78,11 @@ void DescribeKind(Fields& fields, WaypointOptions& o, bool is_recipe) {
 }
 
 void DescribeKind(Fields& fields, LoiterOptions& o, bool is_recipe) {
-  if (!is_recipe) {
+  const bool waits = fields.Has("updates", false);
+  if (!is_recipe && !waits) {
     fields.Require("polygon", "polygon = \"radial:: x=0, y=0, radius=30, pts=8\"");
   }
-  ConvexCorners(fields, "polygon", o.polygon, is_recipe);
+  ConvexCorners(fields, "polygon", o.polygon, is_recipe || waits);
   AltSpeed(fields, o.speed, o.speed_alt, o.use_alt_speed);
   fields.Scalar("clockwise", o.clockwise);
   if (o.clockwise != "true" && o.clockwise != "false" && o.clockwise != "best") {
@@ -109,7 +113,7 @@ void DescribeKind(Fields& fields, StationKeepOptions& o, bool is_recipe) {
   if (o.outer_radius <= o.inner_radius) {
     fields.Refuse("outer_radius", "outer_radius must be greater than inner_radius");
   }
-  if (!is_recipe && !o.station_pt && !o.center_activate) {
+  if (!is_recipe && !o.station_pt && !o.center_activate && !fields.Has("updates", false)) {
     fields.Refuse("station_pt",
                   "station_keep needs station_pt = [0, 0], or center_activate = true to stay where "
                   "it begins");

@@ -50,14 +50,14 @@ class BhvParser {
 
   BhvFile Finish() && {
     if (!begun_.text.empty()) Whole(std::exchange(begun_, {}));
-    if (place_ != Place::kOutside) NotClosed();
+    if (place_ != Place::kOutside && place_ != Place::kHeadless) NotClosed();
     std::stable_sort(file_.odd_lines.begin(), file_.odd_lines.end(),
                      [](const auto& a, const auto& b) { return a.number < b.number; });
     return std::move(file_);
   }
 
  private:
-  enum class Place { kOutside, kBeforeBehavior, kBehavior, kBeforeMode, kMode };
+  enum class Place { kOutside, kBeforeBehavior, kBehavior, kBeforeMode, kMode, kHeadless };
 
   static MoosLine Split(const PluggedLine& line) {
     const std::string_view text = line.text;
@@ -99,6 +99,8 @@ class BhvParser {
         return InBehavior(line);
       case Place::kMode:
         return InMode(line);
+      case Place::kHeadless:
+        return InHeadless(line);
     }
   }
 
@@ -108,6 +110,11 @@ class BhvParser {
     }
     if (IsMode(line)) return OpenMode(line);
     if (LowerCase(Split(line).key) == "behavior") return OpenBehavior(line);
+    if (line.text.starts_with('{')) {
+      // MOOS-IvP skips it, as the writer of a // before its head wants.
+      place_ = Place::kHeadless;
+      return Odd(line, "begins a block without a Behavior or set line before it: it is left out");
+    }
     Odd(line, "is none of initialize, set and Behavior");
   }
 
@@ -186,6 +193,15 @@ class BhvParser {
     PluggedLine rest = line;
     rest.text = Trimmed(std::string_view(line.text).substr(1));
     if (!rest.text.empty()) Whole(rest);
+  }
+
+  void InHeadless(const PluggedLine& line) {
+    if (IsOfOutside(line)) {
+      place_ = Place::kOutside;
+      return Outside(line);
+    }
+    if (line.text.starts_with('}')) place_ = Place::kOutside;
+    Odd(line, "is of a block that is left out", false);
   }
 
   void InMode(const PluggedLine& line) {

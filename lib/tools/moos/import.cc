@@ -10,12 +10,15 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/run/moos_text/fields.h"
 #include "lib/tools/moos/bhv_file.h"
+#include "lib/tools/moos/bhv_points.h"
 #include "lib/tools/moos/import_behaviors.h"
+#include "lib/tools/moos/import_buttons.h"
 #include "lib/tools/moos/import_names.h"
 #include "lib/tools/moos/import_settings.h"
 #include "lib/tools/moos/import_timer.h"
@@ -29,11 +32,13 @@ namespace {
 constexpr std::string_view kMission = "mission";
 constexpr std::string_view kCommsTable = "comms";
 constexpr std::string_view kRest = "rest";
+constexpr char kTemplate[] = "TEMPLATE";  ///< Of --vehicle: which file it is made of.
 
 class Importer {
  public:
   Importer(std::span<const MoosSource> sources, const MoosImportOptions& options)
       : options_(options) {
+    FindTemplates(sources);
     for (const MoosSource& source : sources) {
       if (IsBhvName(source.name)) {
         bhv_sources_.push_back({.source = source});
@@ -45,7 +50,9 @@ class Importer {
         defines_.push_back(options.defines);
         continue;
       }
-      for (MoosDefines defines : options.vehicles) {
+      for (size_t i = 0; i < options.vehicles.size(); ++i) {
+        if (!IsTemplateOf(source, i)) continue;
+        MoosDefines defines = options.vehicles[i];
         defines.insert(options.defines.begin(), options.defines.end());
         files_.push_back(ParseMoosFile(Plug(source, defines, options.find)));
         defines_.push_back(std::move(defines));
@@ -59,9 +66,11 @@ class Importer {
     draft.AddTable(std::string(kCommsTable), "[comms]");
     NameVehicles();
     ReadBehaviors();
+    ReadAllButtons();
     for (VehicleImport& vehicle : vehicles_) vehicle.AddTables(&draft);
     for (VehicleImport& vehicle : vehicles_) vehicle.AddEvents();
     const double last_event_s = AddTimerEvents(&draft);
+    AddObstacles(&draft);
     draft.AddTable(std::string(kRest), "# What else stands in the files.");
     draft_ = &draft;
     Assume(kMission, "duration_s", TomlNumber(std::max(600.0, std::ceil(last_event_s) + 60)),
@@ -79,6 +88,39 @@ class Importer {
   }
 
  private:
+  /// Lists the files that describe vehicles.
+  void FindTemplates(std::span<const MoosSource> sources) {
+    if (options_.vehicles.empty()) return;
+    for (const MoosSource& source : sources) {
+      if (IsBhvName(source.name)) continue;
+      if (DescribesVehicle(ParseMoosFile(Plug(source, options_.defines, options_.find)))) {
+        templates_.push_back(source.name);
+      }
+    }
+    const bool any_named =
+        std::any_of(options_.vehicles.begin(), options_.vehicles.end(),
+                    [](const MoosDefines& vehicle) { return vehicle.contains(kTemplate); });
+    if (templates_.size() < 2 || any_named) return;
+    const bool is_one_each = templates_.size() == options_.vehicles.size();
+    Warn(fmt::format("{} templates and {} vehicles: {}; write {}=NAME.moos in --vehicle to choose",
+                     templates_.size(), options_.vehicles.size(),
+                     is_one_each ? "the first vehicle is of the first, and so on"
+                                 : "all vehicles are of " + CleanUtf8(templates_.front()),
+                     kTemplate));
+  }
+
+  /// Returns true where a vehicle is made of a template: the one that it names, or else the one in
+  /// its place where there are as many of both, or else the first.
+  bool IsTemplateOf(const MoosSource& source, size_t vehicle) const {
+    if (templates_.size() < 2) return true;
+    const auto named = options_.vehicles[vehicle].find(kTemplate);
+    if (named != options_.vehicles[vehicle].end()) {
+      return FileName(source.name) == FileName(named->second);
+    }
+    const bool is_one_each = templates_.size() == options_.vehicles.size();
+    return source.name == templates_[is_one_each ? vehicle : 0];
+  }
+
   struct BhvSource {
     MoosSource source;
     bool is_used = false;
@@ -196,6 +238,85 @@ class Importer {
     return last_s;
   }
 
+  /// Adds what stands still: given_obstacle of pObstacleMgr, KNOWN_OBSTACLE of scripts, and the
+  /// file of uFldObstacleSim.
+  void AddObstacles(MissionDraft* draft) {
+    for (const MoosFile& file : files_) {
+      for (const MoosBlock& block : file.blocks) {
+        const std::string app_class = AppClass(block.app);
+        for (const MoosLine& line : block.lines) {
+          const std::string key = LowerCase(line.key);
+          if (app_class == "pobstaclemgr" && key == "given_obstacle") {
+            AddObstacle(line, line.value, draft);
+          } else if (app_class == "ufldobstaclesim" && key == "obstacle_file") {
+            AddObstacleFile(line, file.name, draft);
+          }
+        }
+      }
+    }
+  }
+
+  void AddObstacleFile(const MoosLine& line, const std::string& from, MissionDraft* draft) {
+    const auto source = options_.find == nullptr ? std::nullopt : options_.find(line.value, from);
+    if (!source) {
+      Warn(
+          fmt::format("{}: {}: the file is not there: its obstacles are lost; name its folder with "
+                      "--path",
+                      line.origin, line.text));
+      return;
+    }
+    obstacle_lines_.insert(line.origin);
+    const MoosFile file =
+        ParseMoosFile(Plug({.name = source->name, .text = source->text}, options_.defines, {}));
+    for (const MoosLine& each : file.globals) {
+      if (LowerCase(each.key) == "poly") AddObstacle(each, each.value, draft);
+    }
+  }
+
+  void AddObstacle(const MoosLine& line, const std::string& value, MissionDraft* draft) {
+    constexpr size_t kMostObstacles = 1'000;
+    if (!obstacle_lines_.insert(line.origin).second) return;  // Of several vehicles' files.
+    const auto polygon = ParseBhvPolygon(value);
+    if (!polygon.ok() || polygon->points_m.size() < 3) {
+      Warn(fmt::format("{}: {}: {}: the obstacle is lost", line.origin, line.text,
+                       polygon.ok() ? "fewer than three corners" : polygon.error()));
+      return;
+    }
+    // The same obstacle that each vehicle's manager is given.
+    const std::string corners = TomlPoints(polygon->points_m);
+    if (!obstacles_.insert(corners).second || obstacles_.size() > kMostObstacles) return;
+    std::string id = LabelOf(value);
+    for (char& c : id) {
+      if (!IsNameCharacter(c) && c != '.' && c != '-') c = '_';
+    }
+    if (id.empty()) id = "obstacle";
+    const std::string wanted = id;
+    for (int i = 2; !obstacle_ids_.insert(id).second; ++i) id = fmt::format("{}_{}", wanted, i);
+    const std::string table = "obstacle " + id;
+    draft->AddTable(table, "[[obstacle]]");
+    const auto set = [&](std::string key, std::string written, std::string origin) {
+      draft->Set(table, {.key = std::move(key),
+                         .value = std::move(written),
+                         .origin = std::move(origin),
+                         .text = line.text,
+                         .reason = "",
+                         .is_essential = true});
+    };
+    set("id", TomlString(id), line.origin);
+    set("polygon", corners, "");
+  }
+
+  /// Returns what follows "label=" or "label,".
+  static std::string LabelOf(std::string_view text) {
+    constexpr std::string_view kLabel = "label";
+    const size_t at = text.find(kLabel);
+    if (at == text.npos || at + kLabel.size() >= text.size()) return {};
+    text.remove_prefix(at + kLabel.size());
+    if (text[0] != '=' && text[0] != ',') return {};
+    text.remove_prefix(1);
+    return std::string(Trimmed(text.substr(0, text.find_first_of(",:}")))).substr(0, 60);
+  }
+
   bool HasVariable(std::string_view name, std::string_view variable) const {
     return std::any_of(vehicles_.begin(), vehicles_.end(), [&](const VehicleImport& vehicle) {
       return vehicle.name() == name && vehicle.behaviors().variables.contains(variable);
@@ -287,7 +408,12 @@ class Importer {
       if (!source) continue;
       MoosDefines defines = defines_[file_of_vehicle_[i]];
       defines.emplace("VNAME", vehicles_[i].name());
-      vehicles_[i].SetBehaviors(ImportBhv(ParseBhvFile(Plug(*source, defines, options_.find))));
+      std::vector<std::string> contacts;
+      for (const VehicleImport& other : vehicles_) {
+        if (&other != &vehicles_[i]) contacts.push_back(other.name());
+      }
+      vehicles_[i].SetBehaviors(
+          ImportBhv(ParseBhvFile(Plug(*source, defines, options_.find)), contacts));
       for (const std::string& warning : vehicles_[i].behaviors().warnings) Warn(warning);
     }
     for (const BhvSource& given : bhv_sources_) {
@@ -297,6 +423,104 @@ class Importer {
                       "file, or in pHelmIvP's Behaviors",
                       CleanUtf8(given.source.name)));
     }
+  }
+
+  /// Gives vehicles what the button that deploys them sets besides.
+  void ReadAllButtons() {
+    for (size_t i = 0; i < files_.size(); ++i) {
+      for (const MoosBlock& block : files_[i].blocks) {
+        if (AppClass(block.app) != "pmarineviewer") continue;
+        std::vector<MoosButton> buttons = ReadButtons(block);
+        if (const MoosButton* deploy = FindDeployButton(buttons)) {
+          deploy_keys_.insert({&block, deploy->key});
+          for (VehicleImport& vehicle : vehicles_) {
+            const VehicleImport* own = VehicleOf(i);
+            if (own == nullptr || own == &vehicle) SetButton(*deploy, own != nullptr, &vehicle);
+          }
+        }
+        buttons_[&block] = std::move(buttons);
+      }
+    }
+  }
+
+  /// Returns the variable of a vehicle's behaviors that `posted` sets: itself, or with _ALL or the
+  /// vehicle's name behind it; empty: none.
+  std::string VariableOf(std::string_view posted, bool is_own, const VehicleImport& vehicle) const {
+    std::string name(posted);
+    for (const std::string& suffix :
+         {std::string(), std::string("_ALL"), "_" + UpperCase(vehicle.name())}) {
+      if (!UpperCase(name).ends_with(suffix) || suffix.size() >= name.size()) continue;
+      const std::string variable = name.substr(0, name.size() - suffix.size());
+      if (suffix.empty() && !is_own && vehicles_.size() > 1) continue;
+      if (vehicle.behaviors().variables.contains(variable)) return variable;
+    }
+    return {};
+  }
+
+  void SetButton(const MoosButton& button, bool is_own, VehicleImport* vehicle) {
+    std::vector<std::string> settings;
+    for (const auto& [posted, value] : button.posts) {
+      const std::string variable = VariableOf(posted, is_own, *vehicle);
+      // The order `deploy` sets these itself.
+      if (variable.empty() || variable == "DEPLOY" ||
+          ((variable == "RETURN" || variable == "STATION_KEEP") && LowerCase(value) == "false") ||
+          value.find("$") != value.npos) {
+        continue;
+      }
+      settings.push_back(variable + " = " + value);
+    }
+    if (!settings.empty()) vehicle->SetWithDeploy(settings, button.origins);
+  }
+
+  /// A button is what `deploy` sets, an order, or a line that states the command for it.
+  std::string ButtonReason(const MoosBlock& block, const MoosLine& line) const {
+    const std::string key = LowerCase(line.key);
+    if (deploy_keys_.contains({&block, key})) return "shoal send all deploy sets this";
+    for (const MoosButton& button : buttons_.at(&block)) {
+      if (button.key != key) continue;
+      std::string commands;
+      const auto add = [&](const std::string& command) {
+        if (commands.find(command) == commands.npos) {
+          commands += (commands.empty() ? "" : "; ") + command;
+        }
+      };
+      for (const auto& [posted, value] : button.posts) {
+        for (const VehicleImport& vehicle : vehicles_) {
+          const std::string variable =
+              VariableOf(posted, VehicleOfBlock(block) != nullptr, vehicle);
+          if (variable.empty() || value.find('$') != value.npos) continue;
+          const bool is_all = posted == variable || UpperCase(posted).ends_with("_ALL");
+          const std::string to = is_all ? "all" : vehicle.name();
+          if (LowerCase(value) == "true" && variable == "RETURN") {
+            add("shoal send " + to + " return");
+          } else if (LowerCase(value) == "true" && variable == "STATION_KEEP") {
+            add("shoal send " + to + " station_keep");
+          } else {
+            add(fmt::format("shoal send {} set {}", to, ShellWord(variable + "=" + value)));
+          }
+        }
+      }
+      return commands.empty() ? "no counterpart in shoal" : commands;
+    }
+    return "no counterpart in shoal";
+  }
+
+  /// Returns a word of a command line, in quotes where it needs them.
+  static std::string ShellWord(const std::string& word) {
+    const bool is_plain = std::all_of(word.begin(), word.end(), [](char c) {
+      return IsNameCharacter(c) || std::string_view("=.,:-+").find(c) != std::string_view::npos;
+    });
+    return is_plain || word.find('\'') != word.npos ? word : "'" + word + "'";
+  }
+
+  const VehicleImport* VehicleOfBlock(const MoosBlock& block) const {
+    for (size_t i = 0; i < file_of_vehicle_.size(); ++i) {
+      const auto& blocks = files_[file_of_vehicle_[i]].blocks;
+      if (!blocks.empty() && &block >= &blocks.front() && &block <= &blocks.back()) {
+        return &vehicles_[i];
+      }
+    }
+    return nullptr;
   }
 
   /// A vehicle that does nothing stays where it is, and a mission in which nothing happens passes.
@@ -396,6 +620,21 @@ class Importer {
         TakeTimerLine(scripts_.at(&block), origin, line);
         continue;
       }
+      if (obstacle_lines_.contains(origin)) {
+        draft_->Remark(kRest, origin, line.text, "[[obstacle]]");
+        continue;
+      }
+      if (app_class == "pmarineviewer" && IsButton(line.key)) {
+        draft_->Remark(kRest, origin, line.text, ButtonReason(block, line));
+        continue;
+      }
+      if (app_class == "phelmivp" && vehicle != nullptr &&
+          LowerCase(line.key) == "start_in_drive" &&
+          vehicle->behaviors().variables.contains("DEPLOY")) {
+        draft_->Remark(vehicle->TableOf(SettingPlace::kHelm), origin, line.text,
+                       "the vehicle waits for `deploy`, as its behaviors do, which need DEPLOY");
+        continue;
+      }
       if (app_class == "phelmivp" && vehicle != nullptr && LowerCase(line.key) == "behaviors") {
         const bool is_found = vehicle->behaviors().num_behaviors > 0;
         draft_->Remark(vehicle->TableOf(SettingPlace::kHelm), origin, line.text,
@@ -493,6 +732,7 @@ class Importer {
   };
 
   const MoosImportOptions& options_;
+  std::vector<std::string> templates_;  ///< Names of files that describe vehicles.
   std::vector<BhvSource> bhv_sources_;
   std::vector<MoosFile> files_;
   std::vector<MoosDefines> defines_;  ///< Of each file.
@@ -500,8 +740,13 @@ class Importer {
   std::vector<size_t> file_of_vehicle_;
   std::vector<KeptFactor> factors_;
   std::map<const MoosBlock*, TimerScript> scripts_;
+  std::map<const MoosBlock*, std::vector<MoosButton>> buttons_;
+  std::set<std::pair<const MoosBlock*, std::string>> deploy_keys_;
   std::vector<std::string> warnings_;
   std::set<std::string> warned_;
+  std::set<std::string> obstacle_lines_;  ///< Origins of lines that are obstacles.
+  std::set<std::string> obstacles_;       ///< Their corners.
+  std::set<std::string> obstacle_ids_;
   MissionDraft* draft_ = nullptr;
 };
 

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -88,6 +90,7 @@ class BlockImporter {
 
   void Run() {
     if (kind_.empty()) return Unknown();
+    const size_t num_warnings = import_.warnings.size();
     table_.header = "[[vehicle.behavior]]";
     table_.lines.push_back({.key = "kind",
                             .value = TomlString(kind_),
@@ -118,6 +121,9 @@ class BlockImporter {
         line.key.clear();
         if (line.reason.empty()) line.reason = "its behavior is left out";
       }
+      // One line for the behavior, none for its other keys.
+      import_.warnings.resize(num_warnings);
+      import_.warnings.push_back(refusal_);
     } else {
       ++import_.num_behaviors;
     }
@@ -157,6 +163,7 @@ class BlockImporter {
   void Refuse(const MoosLine& line, std::string reason, bool is_essential = false) {
     if (is_essential) {
       reason += ": the behavior is left out";
+      if (!is_refused_) refusal_ = fmt::format("{}: {}: {}", line.origin, line.text, reason);
       is_refused_ = true;
     }
     Remark(line, std::move(reason), true);
@@ -247,6 +254,10 @@ class BlockImporter {
       }
     } else if (kind_ == "loiter" && key.ends_with("center_assign")) {
       TakeCenterLine(line, key, value);
+    } else if (kind_ == "leg_run" && TakeLeg(line, key, value)) {
+      return true;
+    } else if (kind_ == "op_region" && key == "polygon" && !IsOldRegion()) {
+      Refuse(line, "OpRegionV24 has no such key, but core_poly");
     } else if (kind_ == "leg_run" && key.starts_with("turn_")) {
       return TakeBothTurns(line, key);
     } else if (kind_ == "fixed_turn" && key == "speed") {
@@ -345,12 +356,20 @@ class BlockImporter {
     Set("burn_time", TomlNumber(*seconds), line, false);
   }
 
+  bool IsOldRegion() const { return LowerCase(block_.type).ends_with("opregion"); }
+
   void TakeDefaults() {
+    const bool has_turns = gathered_.contains("turn1_rad") && gathered_.contains("turn2_rad");
+    if (kind_ == "leg_run" && !has_turns) {
+      import_.warnings.push_back(
+          fmt::format("{}: Behavior = {}: has no turn_rad: MOOS-IvP's does nothing then, here it "
+                      "turns with 20 m",
+                      block_.origin, block_.type));
+    }
     if (kind_ == "max_depth") {
       Assume("tolerance", "100", "As MOOS-IvP has it where it is not given.");
     }
-    const bool is_old_region = LowerCase(block_.type).ends_with("opregion");
-    if (is_old_region && !gathered_.contains("trigger_entry_time")) {
+    if (kind_ == "op_region" && IsOldRegion() && !gathered_.contains("trigger_entry_time")) {
       Assume("trigger_on_poly_entry", "false",
              "As MOOS-IvP's OpRegion: a start outside is a breach.");
     }
@@ -418,6 +437,7 @@ class BlockImporter {
         std::string text = is_condition ? ConditionText(line.value) : std::string(value);
         if (text.empty()) return Refuse(line, "is empty", row.is_essential);
         if (is_condition) CollectVariables(text, &import_.variables);
+        if (is_condition) CollectVariables(text, &import_.condition_variables);
         return Append(key, {std::move(text)}, line, row.is_essential);
       }
       case BhvValue::kNames:
@@ -455,20 +475,116 @@ class BlockImporter {
   }
 
   void TakePoints(const BhvKey& row, const MoosLine& line, std::string_view value) {
-    Result<BhvPoints> points = ParseBhvPoints(value);
+    const bool is_point =
+        row.value == BhvValue::kPoint || (kind_ == "waypoint" && row.moos_key == "point");
+    const bool is_empty = kind_ == "waypoint" && LowerCase(value.substr(0, 8)) == "empty";
+    Result<BhvPoints> points = is_empty              ? Result<BhvPoints>(BhvPoints{})
+                               : is_point            ? ParseBhvPoint(value)
+                               : kind_ == "waypoint" ? ParseBhvPoints(value)
+                                                     : ParseBhvPolygon(value);
     if (!points.ok()) return Refuse(line, points.error(), row.is_essential);
+    if (points->points_m.empty())
+      return Remark(line, "no points until an update brings them", false);
     std::string remark;
     if (!points->assumed.empty()) remark = "Assumed: " + points->assumed + ".";
     if (row.value == BhvValue::kPoint) {
-      if (points->points_m.size() != 1) return Refuse(line, "not x,y", row.is_essential);
-      const Eigen::Vector2d& point_m = points->points_m.front();
-      return Set(std::string(row.key),
-                 fmt::format("[{}, {}]", TomlNumber(point_m.x()), TomlNumber(point_m.y())), line,
-                 row.is_essential);
+      if (kind_ == "leg_run") leg_m_[row.key == "p1" ? 0 : 1] = points->points_m.front();
+      return Set(std::string(row.key), TomlPoint(points->points_m.front()), line, row.is_essential,
+                 std::move(remark));
     }
-    if (kind_ == "loiter") polygon_m_ = points->points_m;
+    if (kind_ == "loiter") {
+      ToLoiter(&points->points_m);
+      polygon_m_ = points->points_m;
+    }
     Set(std::string(row.key), TomlPoints(points->points_m), line, row.is_essential,
         std::move(remark));
+  }
+
+  static std::string TomlPoint(const Eigen::Vector2d& point_m) {
+    return fmt::format("[{}, {}]", TomlNumber(point_m.x()), TomlNumber(point_m.y()));
+  }
+
+  /// A loiter's polygon is to a tenth of a metre, and clockwise.
+  static void ToLoiter(std::vector<Eigen::Vector2d>* polygon_m) {
+    constexpr double kSteps = 10;  // Per metre.
+    double area_m2 = 0;
+    for (size_t i = 0; i < polygon_m->size(); ++i) {
+      Eigen::Vector2d& corner_m = (*polygon_m)[i];
+      corner_m = (corner_m * kSteps).array().round() / kSteps + 0.0;
+    }
+    for (size_t i = 0; i < polygon_m->size(); ++i) {
+      const Eigen::Vector2d& corner_m = (*polygon_m)[i];
+      const Eigen::Vector2d& next_m = (*polygon_m)[(i + 1) % polygon_m->size()];
+      area_m2 += corner_m.x() * next_m.y() - corner_m.y() * next_m.x();
+    }
+    if (area_m2 > 0) std::reverse(polygon_m->begin(), polygon_m->end());
+  }
+
+  /// Keys of a leg that move both of its ends. Returns false for any other.
+  bool TakeLeg(const MoosLine& line, const std::string& key, std::string_view value) {
+    const bool is_whole = key == "leg";
+    const bool is_number =
+        key == "leg_len" || key == "leg_len_mod" || key == "leg_ang" || key == "leg_ang_mod";
+    if (!is_whole && !is_number && key != "shift_pt") return false;
+    Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
+    double length_m = 0;
+    double angle_rad = 0;  // Clockwise from North.
+    if (leg_m_[0] && leg_m_[1]) {
+      const Eigen::Vector2d vector_m = *leg_m_[1] - *leg_m_[0];
+      center_m = (*leg_m_[0] + *leg_m_[1]) / 2;
+      length_m = vector_m.norm();
+      angle_rad = std::atan2(vector_m.x(), vector_m.y());
+    } else if (!is_whole) {
+      return Refuse(line, "stands before p1 and p2"), true;
+    }
+    constexpr double kRadPerDegree = std::numbers::pi / 180;
+    if (is_whole) {
+      const auto leg = LegOf(value);
+      if (!leg) return Refuse(line, "not x=1,y=2,ang=90,len=80", true), true;
+      center_m = {(*leg)[0], (*leg)[1]};
+      angle_rad = (*leg)[2] * kRadPerDegree;
+      length_m = (*leg)[3];
+    } else if (is_number) {
+      const auto number = NumberIn(value);
+      if (!number) return Refuse(line, "not a number"), true;
+      if (key == "leg_len") length_m = *number;
+      if (key == "leg_len_mod") length_m += *number;
+      if (key == "leg_ang") angle_rad = *number * kRadPerDegree;
+      if (key == "leg_ang_mod") angle_rad += *number * kRadPerDegree;
+    } else {
+      const auto point = ParseBhvPoint(value);
+      if (!point.ok()) return Refuse(line, point.error()), true;
+      center_m = point->points_m.front();
+    }
+    if (!(length_m > 0)) return Refuse(line, "a leg must be longer than 0 m"), true;
+    const Eigen::Vector2d half_m =
+        Eigen::Vector2d(std::sin(angle_rad), std::cos(angle_rad)) * (length_m / 2);
+    leg_m_ = {center_m - half_m, center_m + half_m};
+    for (size_t i = 0; i < leg_m_.size(); ++i) {
+      Eigen::Vector2d& end_m = *leg_m_[i];
+      end_m = (end_m * 1e6).array().round() / 1e6 + 0.0;
+      Set(i == 0 ? "p1" : "p2", TomlPoint(end_m), line, true);
+    }
+    return true;
+  }
+
+  /// Returns x, y, ang and len.
+  static std::optional<std::array<double, 4>> LegOf(std::string_view text) {
+    constexpr std::array<std::string_view, 4> kKeys = {"x", "y", "ang", "len"};
+    std::array<double, 4> leg{};
+    const bool is_named = text.find('=') != text.npos;
+    const std::vector<std::string> parts = PartsOf(text, is_named ? "," : ":");
+    if (parts.size() != leg.size()) return std::nullopt;
+    for (size_t i = 0; i < parts.size(); ++i) {
+      const std::string_view part = parts[i];
+      const size_t equals = part.find('=');
+      const auto at = std::find(kKeys.begin(), kKeys.end(), Trimmed(part.substr(0, equals)));
+      if (is_named && (equals == part.npos || at == kKeys.end())) return std::nullopt;
+      const auto number = NumberIn(is_named ? part.substr(equals + 1) : part);
+      if (!number) return std::nullopt;
+      leg[is_named ? static_cast<size_t>(at - kKeys.begin()) : i] = *number;
+    }
+    return leg;
   }
 
   const BhvBlock& block_;
@@ -478,11 +594,13 @@ class BlockImporter {
   std::vector<std::string> order_;
   std::map<std::string, Gathered> gathered_;
   std::vector<Eigen::Vector2d> polygon_m_;
+  std::array<std::optional<Eigen::Vector2d>, 2> leg_m_;
   std::optional<double> center_x_m_;
   std::optional<double> center_y_m_;
   bool is_template_ = false;
   bool has_duration_ = false;
   bool is_refused_ = false;
+  std::string refusal_;
 };
 
 /// A key of a TOML table, in quotes where it needs them.
@@ -511,6 +629,7 @@ void ImportMode(const BhvMode& mode, BhvImport* import) {
   for (const MoosLine& line : mode.conditions) {
     conditions.push_back(ConditionText(line.text));
     CollectVariables(conditions.back(), &import->variables);
+    CollectVariables(conditions.back(), &import->condition_variables);
     origins += (origins.empty() ? "" : ", ") + line.origin;
     texts += (texts.empty() ? "" : ", ") + line.text;
   }
@@ -521,7 +640,22 @@ void ImportMode(const BhvMode& mode, BhvImport* import) {
   import->tables.push_back(std::move(table));
 }
 
-void ImportVariables(const BhvFile& file, BhvImport* import) {
+/// Orders set these where they are variables: those of conditions that no line initializes are
+/// made so.
+void AddOrderVariables(const BhvImport& import, BhvTable* table) {
+  for (const char* name : {"DEPLOY", "RETURN", "STATION_KEEP"}) {
+    const bool is_there = std::any_of(table->lines.begin(), table->lines.end(),
+                                      [&](const DraftLine& line) { return line.key == name; });
+    if (is_there || !import.condition_variables.contains(name)) continue;
+    table->lines.push_back({.key = name,
+                            .value = TomlString("false"),
+                            .origin = "",
+                            .text = "",
+                            .reason = "Assumed: conditions name it, an order sets it."});
+  }
+}
+
+BhvTable ImportVariables(const BhvFile& file, BhvImport* import) {
   BhvTable table{.header = "[vehicle.variables]", .lines = {}};
   std::map<std::string, size_t> places;
   for (const MoosLine& line : file.initials) {
@@ -543,7 +677,7 @@ void ImportVariables(const BhvFile& file, BhvImport* import) {
     }
     table.lines.push_back(std::move(setting));
   }
-  if (!table.lines.empty()) import->tables.push_back(std::move(table));
+  return table;
 }
 
 /// Returns the first kMax of a list; names what is left out.
@@ -556,17 +690,89 @@ std::vector<Item> Bounded(std::vector<Item> items, std::string_view what, BhvImp
   return items;
 }
 
+/// Replaces $[CONTACT] by a name.
+std::string WithContact(std::string text, const std::string& contact) {
+  constexpr std::string_view kMacro = "$[CONTACT]";
+  for (size_t at = text.find(kMacro); at != text.npos; at = text.find(kMacro, at)) {
+    text.replace(at, kMacro.size(), contact);
+    at += contact.size();
+  }
+  return text;
+}
+
+/// True for a template whose behaviors shoal does not spawn as MOOS-IvP does: with a condition
+/// about the contact, or with alerts for a kind that is spawned by updates alone.
+bool NeedsOneForEach(const BhvBlock& block) {
+  const std::string_view kind = KindOfBhv(block.type);
+  if (!IsContactKind(kind)) return false;
+  bool is_template = false;
+  bool needs = false;
+  for (const MoosLine& line : block.lines) {
+    const std::string key = LowerCase(line.key.substr(0, 64));
+    const std::string word = LowerCase(WithoutQuotes(line.value).substr(0, 16));
+    if (key == "templating") is_template = word == "spawn";
+    if (key == "condition" && line.value.find("$[CONTACT]") != line.value.npos) needs = true;
+    const bool has_alerts = kind == "avoid_collision" || kind == "colregs";
+    if (key == "no_alert_request" && word == "false" && !has_alerts) needs = true;
+  }
+  return is_template && needs;
+}
+
+/// Returns a template as one behavior for each contact, instead of one that is spawned.
+std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::string>& contacts) {
+  std::vector<BhvBlock> blocks;
+  for (const std::string& contact : contacts) {
+    BhvBlock one = block;
+    one.lines.clear();
+    bool has_contact = false;
+    for (MoosLine line : block.lines) {
+      const std::string key = LowerCase(line.key.substr(0, 64));
+      if (key == "templating" || key == "max_spawnings" || key == "no_alert_request") continue;
+      const bool is_contact = key == "contact" || key == "them";
+      has_contact = has_contact || is_contact;
+      if (key == "name" || key == "descriptor") line.value += contact;
+      line.value = is_contact ? contact : WithContact(line.value, contact);
+      line.text = line.key + " = " + line.value;
+      one.lines.push_back(std::move(line));
+    }
+    for (const auto& [key, value] :
+         {std::pair<std::string, std::string>("contact", contact), {"on_no_contact_ok", "true"}}) {
+      if (key == "contact" && has_contact) continue;
+      one.lines.push_back({.number = 0,
+                           .origin = block.origin,
+                           .text = key + " = " + value,
+                           .key = key,
+                           .value = value});
+    }
+    blocks.push_back(std::move(one));
+  }
+  return blocks;
+}
+
 }  // namespace
 
-BhvImport ImportBhv(const BhvFile& whole) {
+BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contacts) {
   BhvImport import;
   BhvFile file = whole;
   file.initials = Bounded(std::move(file.initials), "variables", &import);
   file.modes = Bounded(std::move(file.modes), "modes", &import);
   file.behaviors = Bounded(std::move(file.behaviors), "behaviors", &import);
-  ImportVariables(file, &import);
+  BhvTable variables = ImportVariables(file, &import);
   for (const BhvMode& mode : file.modes) ImportMode(mode, &import);
-  for (const BhvBlock& block : file.behaviors) BlockImporter(block, &import).Run();
+  for (const BhvBlock& block : file.behaviors) {
+    if (!NeedsOneForEach(block)) {
+      BlockImporter(block, &import).Run();
+      continue;
+    }
+    for (const BhvBlock& one : OneForEach(block, contacts)) BlockImporter(one, &import).Run();
+    if (!contacts.empty()) continue;
+    import.warnings.push_back(
+        fmt::format("{}: Behavior = {}: is left out: it is about contacts, and the mission has no "
+                    "other vehicle",
+                    block.origin, block.type));
+  }
+  AddOrderVariables(import, &variables);
+  if (!variables.lines.empty()) import.tables.insert(import.tables.begin(), std::move(variables));
   BhvTable odd{.header = "# What else stands in " + file.name + ".", .lines = {}};
   for (const MoosOddLine& line : file.odd_lines) {
     odd.lines.push_back(

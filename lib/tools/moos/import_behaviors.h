@@ -24,10 +24,14 @@ struct BhvImport {
   /// What conditions, updates and initialize lines name: a setting of another variable has no
   /// effect. In the letters of the file.
   std::set<std::string, std::less<>> variables;
+  std::set<std::string, std::less<>> condition_variables;  ///< Those of conditions alone.
   size_t num_behaviors = 0;
 };
 
 /// Converts any file. At most 200 behaviors, modes and variables each; more are comments.
-[[nodiscard]] BhvImport ImportBhv(const BhvFile& file);
+/// `contacts`: the other vehicles; a template with $[CONTACT] in a condition, or of a kind that
+/// shoal does not spawn by alerts and that asks for them, becomes one behavior for each.
+[[nodiscard]] BhvImport ImportBhv(const BhvFile& file,
+                                  const std::vector<std::string>& contacts = {});
 
 }  // namespace shoal

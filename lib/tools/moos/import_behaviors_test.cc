@@ -3,15 +3,20 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "lib/helm/behaviors/any_behavior.h"
+#include "lib/mission/file/load.h"
 #include "lib/tools/moos/bhv_keys.h"
+#include "lib/tools/moos/import.h"
+#include "lib/tools/moos/quoted_csv_testing.h"
 
 namespace shoal::import_behaviors_test {
 
@@ -57,6 +62,7 @@ TEST(ImportBhv, WritesVariablesModesAndBehaviors) {
             "DEPLOY = \"false\"\n"
             "N = 5\n"
             "T = \"7\"\n"
+            "RETURN = \"false\"\n"
             "[[vehicle.mode]]\n"
             "set = \"MODE = ACTIVE\"\n"
             "condition = [\"DEPLOY = true\", \"(A > 1) or (B = x)\"]\n"
@@ -123,9 +129,9 @@ TEST(ImportBhv, TakesTheKeysOfEveryType) {
       {{"Loiter", "clockwise = Best"}, "clockwise = \"best\""},
       {{"Loiter", "nm_radius = 15\nradius = 8"}, "slip_radius = 15\nradius = 8"},
       {{"Loiter", "polygon = 0,0:2,0:2,2:0,2\ncenter_assign = 10,20"},
-       "# center_assign = 10,20\npolygon = [[9, 19], [11, 19], [11, 21], [9, 21]]"},
+       "# center_assign = 10,20\npolygon = [[9, 21], [11, 21], [11, 19], [9, 19]]"},
       {{"Loiter", "polygon = 0,0:2,0:2,2:0,2\nxcenter_assign = 5"},
-       "# xcenter_assign = 5\npolygon = [[4, 0], [6, 0], [6, 2], [4, 2]]"},
+       "# xcenter_assign = 5\npolygon = [[4, 2], [6, 2], [6, 0], [4, 0]]"},
       {{"Loiter", "center_assign = present_position"}, "center_activate = true"},
       {{"StationKeep", "station_pt = 5,6\nextra_speed = 2"},
        "station_pt = [5, 6]\ntransit_speed = 2"},
@@ -278,6 +284,61 @@ RC_GTEST_PROP(ImportBhv, NamesEveryLineThatIsNotEmpty, ()) {
   for (size_t i = 0; i < lines.size(); ++i) {
     if (lines[i].size() == 1) continue;
     RC_ASSERT(named.find("a:" + std::to_string(i + 1) + " ") != std::string::npos);
+  }
+}
+
+TEST(ImportBhv, PutsThePointsOfEveryGoldenKeyWhereTheBehaviorHasThem) {
+  for (const GoldenRow& row : ReadQuotedCsv("moos_import/points.csv")) {
+    const std::string& reader = row.at("read_by");
+    if (reader.starts_with("lib_")) continue;
+    SCOPED_TRACE(row.at("number") + " " + reader + " " + row.at("key") + " = " + row.at("text"));
+    const std::string type = reader == "waypoint"        ? "Waypoint"
+                             : reader == "loiter"        ? "Loiter"
+                             : reader == "station_keep"  ? "StationKeep"
+                             : reader == "op_region"     ? "OpRegion"
+                             : reader == "op_region_v24" ? "OpRegionV24"
+                                                         : "LegRun";
+    std::string lines = row.at("key") + " = " + row.at("text") + "\n";
+    if (reader == "leg_run") {
+      lines = row.at("text") + "\n";
+      std::replace(lines.begin(), lines.end(), ';', '\n');
+    }
+    const MoosImport import = ImportMoos(std::vector<MoosSource>{
+        {.name = "a.moos", .text = "Community = a\nProcessConfig = pHelmIvP\n{\n}\n"},
+        {.name = "a.bhv",
+         .text = "Behavior = BHV_" + type + "\n{\nname = b\nupdates = U\n" + lines + "}\n"}});
+    // Where the behavior refuses the text, the import warns of it.
+    const bool is_sound = row.at("result") == "ok";
+    EXPECT_EQ(import.warnings.empty(), is_sound) << import.mission;
+    if (!is_sound || row.at("vertices").empty()) continue;
+    std::vector<Eigen::Vector2d> wanted_m;
+    std::istringstream vertices(row.at("vertices"));
+    for (std::string vertex; vertices >> vertex;) {
+      wanted_m.emplace_back(std::stod(vertex), std::stod(vertex.substr(vertex.find(',') + 1)));
+    }
+    const AnyBehavior what =
+        LoadMissionText(import.mission, "m").mission.vehicles.at(0).behaviors.at(0).what;
+    std::vector<Eigen::Vector2d> points_m;
+    if (const auto* waypoint = std::get_if<WaypointOptions>(&what)) points_m = waypoint->points;
+    if (const auto* loiter = std::get_if<LoiterOptions>(&what)) points_m = loiter->polygon;
+    if (const auto* region = std::get_if<OpRegionOptions>(&what)) points_m = region->core_poly;
+    if (const auto* keep = std::get_if<StationKeepOptions>(&what)) points_m = {*keep->station_pt};
+    if (const auto* leg = std::get_if<LegRunOptions>(&what)) points_m = {*leg->p1, *leg->p2};
+    ASSERT_EQ(points_m.size(), wanted_m.size());
+    for (size_t i = 0; i < points_m.size(); ++i) {
+      EXPECT_LT((points_m[i] - wanted_m[i]).norm(), 1.5e-3) << i;
+    }
+  }
+}
+
+TEST(ImportMoos, KeepsABehaviorWhosePointsComeWithAnUpdate) {
+  for (const char* type : {"Waypoint", "Loiter", "StationKeep"}) {
+    const MoosImport import = ImportMoos(std::vector<MoosSource>{
+        {.name = "a.moos", .text = "Community = a\nProcessConfig = pHelmIvP\n{\n}\n"},
+        {.name = "a.bhv",
+         .text = std::string("Behavior = BHV_") + type + "\n{\nname = b\nupdates = U\n}\n"}});
+    EXPECT_EQ(import.warnings, std::vector<std::string>{});
+    EXPECT_EQ(LoadMissionText(import.mission, "m").mission.vehicles.at(0).behaviors.size(), 1U);
   }
 }
 

@@ -253,7 +253,7 @@ TEST(ImportMoos, GivesAVehicleTheBehaviorsOfItsFile) {
   const MoosImport import = Import({{"a.moos", Helm("abe")}, {"a.bhv", kSurvey}});
   EXPECT_EQ(import.warnings, std::vector<std::string>());
   const shoal::Vehicle abe = Loaded(import).mission.vehicles.at(0);
-  EXPECT_TRUE(abe.helm_options.deploy_at_start);
+  EXPECT_FALSE(abe.helm_options.deploy_at_start);
   EXPECT_EQ(abe.domain.speed_mps.count, 26);
   EXPECT_EQ(abe.domain.speed_mps.Last(), 5);
   EXPECT_EQ(abe.variables.at("DEPLOY"), VariableValue("false"));
@@ -460,6 +460,143 @@ TEST(ImportMoos, TakesAnEmptyMacroAsLaunchScriptsMeanIt) {
   EXPECT_EQ(mission.vehicles.front().type, "kayak");
   EXPECT_TRUE(mission.vehicles.front().variables.contains("NEAR"));
   EXPECT_FALSE(mission.vehicles.front().variables.contains("FAR"));
+}
+
+constexpr std::string_view kWaypointBhv =
+    "Behavior = BHV_Waypoint\n{\ncondition = DEPLOY = true\ncondition = PATROL = true\n"
+    "speed = 1\npoints = 0,0\n}\n";
+
+/// A vehicle's file with such a line in pHelmIvP, and the shore's with such buttons.
+MoosImport WithButtons(const std::string& helm_line, const std::string& buttons) {
+  return ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos",
+       .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n" + helm_line + "\n}\n"},
+      {.name = "ida.bhv", .text = std::string(kWaypointBhv)},
+      {.name = "shore.moos",
+       .text = "Community = shore\nProcessConfig = pMarineViewer\n{\n" + buttons + "}\n"}});
+}
+
+TEST(ImportMoos, MakesDeployAVariableWhereOnlyConditionsNameIt) {
+  const shoal::Vehicle ida = Loaded(WithButtons("", "")).mission.vehicles.front();
+  EXPECT_EQ(ida.variables,
+            (std::map<std::string, VariableValue>{{"DEPLOY", std::string("false")}}));
+}
+
+TEST(ImportMoos, SetsWithDeployWhatTheButtonSets) {
+  const MoosImport import =
+      WithButtons("",
+                  "button_one = DEPLOY # DEPLOY_ALL=true # PATROL_IDA=true # color=pink\n"
+                  "button_one = MOOS_MANUAL_OVERRIDE_ALL=false # RETURN_ALL=false # OTHER=1\n");
+  const shoal::Vehicle ida = Loaded(import).mission.vehicles.front();
+  ASSERT_EQ(ida.behaviors.size(), 2U);
+  EXPECT_EQ(ida.behaviors[1].name, "deploy_button");
+  EXPECT_NE(import.mission.find("runflag = [\"PATROL = true\"]"), std::string::npos);
+}
+
+TEST(ImportMoos, StatesTheCommandForEveryOtherButton) {
+  const MoosImport import = WithButtons("",
+                                        "button_one = DEPLOY # DEPLOY_ALL=true\n"
+                                        "button_two = BACK # PATROL_ALL=false\n"
+                                        "button_six = FREE # PATROL_ZOE=a b\n");
+  EXPECT_NE(import.mission.find("PATROL_ALL=false: shoal send all set PATROL=false\n"),
+            std::string::npos);
+  EXPECT_NE(import.mission.find("PATROL_ZOE=a b: no counterpart in shoal\n"), std::string::npos);
+}
+
+TEST(ImportMoos, DoesNotDeployAVehicleThatOnlyStartsInDrive) {
+  const MoosImport import = WithButtons("start_in_drive = true", "");
+  EXPECT_FALSE(Loaded(import).mission.vehicles.front().helm_options.deploy_at_start);
+}
+
+constexpr std::string_view kHelmMoos = "Community = $(VNAME)\nProcessConfig = pHelmIvP\n{\n}\n";
+constexpr std::string_view kTimerBhv = "Behavior = BHV_Timer\n{\nname = b\n}\n";
+
+TEST(ImportMoos, MakesEachVehicleOfTheTemplateThatItNamesOrThatIsInItsPlace) {
+  const std::vector<MoosSource> sources = {
+      {.name = "boat.moos",
+       .text =
+           std::string(kHelmMoos) + "ProcessConfig = pNodeReporter\n{\nplatform_type = kayak\n}\n"},
+      {.name = "fish.moos",
+       .text =
+           std::string(kHelmMoos) + "ProcessConfig = pNodeReporter\n{\nplatform_type = ship\n}\n"},
+      {.name = "v.bhv", .text = std::string(kTimerBhv)}};
+  const auto types = [&](const std::vector<MoosDefines>& vehicles) {
+    const MoosImport import =
+        ImportMoos(sources, {.defines = {}, .vehicles = vehicles, .find = {}});
+    std::string text;
+    for (const shoal::Vehicle& vehicle : Loaded(import).mission.vehicles) {
+      text += vehicle.name + " " + vehicle.type + ", ";
+    }
+    return text + std::to_string(import.warnings.size());
+  };
+  EXPECT_EQ(types({{{"VNAME", "ida"}}, {{"VNAME", "jon"}}}), "ida kayak, jon ship, 1");
+  EXPECT_EQ(types({{{"VNAME", "ida"}, {"TEMPLATE", "fish.moos"}},
+                   {{"VNAME", "jon"}, {"TEMPLATE", "boat.moos"}},
+                   {{"VNAME", "kai"}, {"TEMPLATE", "boat.moos"}}}),
+            "jon kayak, kai kayak, ida ship, 0");
+  EXPECT_EQ(types({{{"VNAME", "ida"}}, {{"VNAME", "jon"}}, {{"VNAME", "kai"}}}),
+            "ida kayak, jon kayak, kai kayak, 1");
+}
+
+TEST(ImportMoos, MakesObstaclesOfThoseThatAreGivenAndOfAFile) {
+  const FindMoosFile find = [](std::string_view name, std::string_view) {
+    return name == "o.txt"
+               ? std::optional(MoosSource{.name = "o.txt",
+                                          .text = "region = pts={0,0:0,9:9,9}\n"
+                                                  "poly = pts={10,0:10,9:19,9},label=ob_0\n"
+                                                  "poly = pts={30,0:30,9:39,9},label=ob 1\n"})
+               : std::nullopt;
+  };
+  const MoosImport import = ImportMoos(
+      std::vector<MoosSource>{
+          {.name = "a.moos",
+           .text =
+               "Community = a\nProcessConfig = pHelmIvP\n{\n}\nProcessConfig = pObstacleMgr\n{\n"
+               "given_obstacle = pts={80,-40:90,-40:90,-20:80,-20}, label=rock\n"
+               "given_obstacle = nothing\n}\nProcessConfig = uFldObstacleSim\n{\n"
+               "obstacle_file = o.txt\n}\n"},
+          {.name = "a.bhv", .text = std::string(kTimerBhv)}},
+      {.defines = {}, .vehicles = {}, .find = find});
+  std::vector<std::string> ids;
+  for (const Obstacle& obstacle : Loaded(import).mission.obstacles) ids.push_back(obstacle.id);
+  EXPECT_EQ(ids, (std::vector<std::string>{"rock", "ob_0", "ob_1"}));
+  ASSERT_EQ(import.warnings.size(), 1U);
+  EXPECT_TRUE(import.warnings[0].starts_with("a.moos:8: given_obstacle = nothing: "));
+}
+
+TEST(ImportMoos, HasOneWarningForABehaviorThatIsLostAndForABlockWithoutAHead) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "a.moos", .text = "Community = a\nProcessConfig = pHelmIvP\n{\n}\n"},
+      {.name = "a.bhv",
+       .text = std::string(kTimerBhv) +
+               "//Behavior = BHV_Waypoint\n{\nname = off\nspeed = 1\n}\n"
+               "Behavior = BHV_Waypoint\n{\nname = lost\nodd = 1\npoints = none\nspeed = x\n}\n"
+               "Behavior = BHV_Loiter\n{\nname = none\nspeed = 1\nradius = 5\n}\n"}});
+  ASSERT_EQ(import.warnings.size(), 3U);
+  EXPECT_TRUE(import.warnings[0].starts_with("a.bhv:14: points = none: ")) << import.warnings[0];
+  EXPECT_TRUE(import.warnings[1].starts_with("a.bhv:6: '{' begins a block")) << import.warnings[1];
+  EXPECT_TRUE(import.warnings[2].starts_with("a.bhv:17: ")) << import.warnings[2];
+  EXPECT_TRUE(import.warnings[2].ends_with("; all 4 lines of [[vehicle.behavior]] are left out"))
+      << import.warnings[2];
+}
+
+TEST(ImportMoos, MakesATemplateAboutContactsOneBehaviorForEachOtherVehicle) {
+  const MoosImport import = ImportMoos(
+      std::vector<MoosSource>{
+          {.name = "v.moos", .text = std::string(kHelmMoos)},
+          {.name = "v.bhv",
+           .text = "Behavior = BHV_Trail\n{\nname = follow_\ntemplating = spawn\n"
+                   "condition = MARKED_$[CONTACT] = true\nupdates = C\ncontact = to-be-set\n}\n"
+                   "Behavior = BHV_Trail\n{\nname = near_\ntemplating = spawn\nupdates = C\n"
+                   "no_alert_request = false\n}\n"}},
+      {.defines = {}, .vehicles = {{{"VNAME", "ida"}}, {{"VNAME", "jon"}}}, .find = {}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  const shoal::Vehicle ida = Loaded(import).mission.vehicles.at(0);
+  ASSERT_EQ(ida.behaviors.size(), 2U);
+  EXPECT_EQ(ida.behaviors[0].name, "follow_jon");
+  EXPECT_EQ(ida.behaviors[0].condition, (std::vector<std::string>{"MARKED_jon = true"}));
+  EXPECT_EQ(std::get<TrailOptions>(ida.behaviors[0].what).contact.contact, "jon");
+  EXPECT_EQ(ida.behaviors[1].name, "near_jon");
 }
 
 }  // namespace shoal::import_test

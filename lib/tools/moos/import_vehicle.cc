@@ -107,6 +107,29 @@ VehicleImport::VehicleImport(size_t number, std::string name, std::string remark
       is_imported_(is_imported),
       is_underwater_(is_underwater) {}
 
+void VehicleImport::SetWithDeploy(const std::vector<std::string>& settings,
+                                  const std::string& origins) {
+  std::string flags;
+  for (const std::string& setting : settings) {
+    flags += (flags.empty() ? "" : ", ") + TomlString(setting);
+  }
+  BhvTable table{.header = "[[vehicle.behavior]]", .lines = {}};
+  const auto set = [&](std::string key, std::string value, std::string origin, std::string reason) {
+    table.lines.push_back({.key = std::move(key),
+                           .value = std::move(value),
+                           .origin = std::move(origin),
+                           .text = "what the button sets with DEPLOY",
+                           .reason = std::move(reason),
+                           .is_essential = true});
+  };
+  set("kind", TomlString("timer"), origins, "What the button sets besides DEPLOY.");
+  set("name", TomlString("deploy_button"), "", "");
+  set("perpetual", "true", "", "");
+  if (behaviors_.variables.contains("DEPLOY")) set("condition", "[\"DEPLOY = true\"]", "", "");
+  set("runflag", "[" + flags + "]", "", "");
+  behaviors_.tables.push_back(std::move(table));
+}
+
 void VehicleImport::AddTables(MissionDraft* draft) {
   draft_ = draft;
   draft->AddTable(id_, "[[vehicle]]", true);

@@ -40,6 +40,10 @@ class VehicleImport {
   /// Gives it the behaviors of its file.
   void SetBehaviors(BhvImport behaviors) { behaviors_ = std::move(behaviors); }
 
+  /// Adds a behavior that sets variables where the vehicle is deployed, as a button does that posts
+  /// more than DEPLOY. `settings`: "NAME = value".
+  void SetWithDeploy(const std::vector<std::string>& settings, const std::string& origins);
+
   /// Adds the tables of the vehicle, with its name.
   /// @pre called once, before what follows; `draft` outlives this.
   void AddTables(MissionDraft* draft);

@@ -1,5 +1,7 @@
 #include "lib/tools/moos/mission_draft.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <utility>
@@ -94,17 +96,24 @@ bool MissionDraft::Refuse(const Owner& owner, const std::string& reason,
   DraftTable& table = tables_[*owner.table];
   if (!owner.line && table.is_required) return false;
   const bool is_whole = !owner.line || table.lines[*owner.line].is_essential;
-  bool any = false;
+  size_t num_refused = 0;
+  std::string first;
   for (size_t i = 0; i < table.lines.size(); ++i) {
     DraftLine& line = table.lines[i];
     if (line.key.empty() || (!is_whole && *owner.line != i)) continue;
     line.text = line.text.empty() ? line.key + " = " + line.value : line.text;
     line.key.clear();
     line.reason = reason;
-    refused->push_back((line.origin.empty() ? "" : line.origin + ": ") + line.text + ": " + reason);
-    any = true;
+    const bool is_cause = owner.line ? *owner.line == i : num_refused == 0;
+    if (is_cause)
+      first = (line.origin.empty() ? "" : line.origin + ": ") + line.text + ": " + reason;
+    ++num_refused;
   }
-  return any;
+  if (num_refused == 0) return false;
+  if (num_refused > 1)
+    first += fmt::format("; all {} lines of {} are left out", num_refused, table.header);
+  refused->push_back(std::move(first));
+  return true;
 }
 
 std::vector<std::string> MissionDraft::MakeLoadable() {

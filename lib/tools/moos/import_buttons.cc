@@ -1,0 +1,56 @@
+#include "lib/tools/moos/import_buttons.h"
+
+#include <algorithm>
+
+#include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
+#include "lib/run/moos_text/fields.h"
+
+namespace shoal {
+
+bool IsButton(std::string_view key) { return LowerCase(key.substr(0, 16)).starts_with("button_"); }
+
+std::vector<MoosButton> ReadButtons(const MoosBlock& block) {
+  std::vector<MoosButton> buttons;
+  for (const MoosLine& line : block.lines) {
+    if (!IsButton(line.key)) continue;
+    const std::string key = LowerCase(line.key);
+    auto button = std::find_if(buttons.begin(), buttons.end(),
+                               [&](const MoosButton& each) { return each.key == key; });
+    if (button == buttons.end()) {
+      button = buttons.insert(button, {.key = key, .label = "", .origins = "", .posts = {}});
+    }
+    button->origins += (button->origins.empty() ? "" : ", ") + line.origin;
+    std::string_view rest = line.value;
+    while (!rest.empty()) {
+      const size_t end = std::min(rest.find('#'), rest.size());
+      const std::string_view part = Trimmed(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+      const size_t equals = part.find('=');
+      if (equals == part.npos) {
+        if (!part.empty()) button->label = part;
+        continue;
+      }
+      const std::string variable(Trimmed(part.substr(0, equals)));
+      std::string_view value = Trimmed(part.substr(equals + 1));
+      if (value.size() >= 2 && value.starts_with('"') && value.ends_with('"')) {
+        value = value.substr(1, value.size() - 2);
+      }
+      if (LowerCase(variable) != "color") button->posts.emplace_back(variable, value);
+    }
+  }
+  return buttons;
+}
+
+const MoosButton* FindDeployButton(const std::vector<MoosButton>& buttons) {
+  for (const auto& [name, wanted] : {std::pair{"DEPLOY", "true"}, {"MOOS_MANUAL_OVER", "false"}}) {
+    for (const MoosButton& button : buttons) {
+      for (const auto& [variable, value] : button.posts) {
+        if (variable.starts_with(name) && LowerCase(value) == wanted) return &button;
+      }
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace shoal
