@@ -219,15 +219,25 @@ class Importer {
     std::vector<std::string> names;
     for (const VehicleImport& vehicle : vehicles_) names.push_back(vehicle.name());
     double last_s = 0;
+    for (const MoosFile& file : files_) {
+      for (const MoosBlock& block : file.blocks) {
+        if (AppClass(block.app) != "ufldshorebroker") continue;
+        for (const MoosLine& line : block.lines) {
+          if (bridges_.Add(line)) bridge_lines_.insert(line.origin);
+        }
+      }
+    }
     for (size_t i = 0; i < files_.size(); ++i) {
       const VehicleImport* vehicle = VehicleOf(i);
       for (const MoosBlock& block : files_[i].blocks) {
         if (AppClass(block.app) != "utimerscript") continue;
         TimerScript& script = scripts_[&block];
-        script = ReadTimerScript(block, vehicle == nullptr ? "" : vehicle->name(), names,
-                                 [this](std::string_view name, std::string_view variable) {
-                                   return HasVariable(name, variable);
-                                 });
+        script = ReadTimerScript(
+            block, vehicle == nullptr ? "" : vehicle->name(), names,
+            [this](std::string_view name, std::string_view variable) {
+              return HasVariable(name, variable);
+            },
+            [&](std::string_view posted) { return bridges_.Find(posted, names); });
         for (const TimerEvent& event : script.events) {
           if (event.keys.empty()) continue;
           AddTimerEvent(event, draft);
@@ -323,9 +333,9 @@ class Importer {
     });
   }
 
-  static void AddTimerEvent(const TimerEvent& event, MissionDraft* draft) {
+  void AddTimerEvent(const TimerEvent& event, MissionDraft* draft) {
     const std::string& origin = event.origin;
-    const std::string table = "event " + origin;
+    const std::string table = fmt::format("event {}", num_events_++);
     draft->AddTable(table, "[[event]]");
     draft->Set(table, {.key = "at_s",
                        .value = TomlNumber(event.at_s),
@@ -339,6 +349,9 @@ class Importer {
 
   void TakeTimerLine(const TimerScript& script, const std::string& origin, const MoosLine& line) {
     std::string reason = std::string(KeyCounterpart(line.key));
+    const bool is_taken =
+        std::find(script.taken.begin(), script.taken.end(), line.number) != script.taken.end();
+    if (is_taken) reason = "counts in the events of the script";
     bool is_warning = false;
     for (const auto& [number, loss] : script.losses) {
       if (number != line.number) continue;
@@ -347,7 +360,7 @@ class Importer {
     }
     for (const TimerEvent& event : script.events) {
       if (event.line != line.number) continue;
-      if (!event.keys.empty()) return;
+      if (!event.keys.empty()) return;  // One of its rounds at least.
       reason = event.reason;
       is_warning = !event.is_needless;
     }
@@ -620,6 +633,10 @@ class Importer {
         TakeTimerLine(scripts_.at(&block), origin, line);
         continue;
       }
+      if (bridge_lines_.contains(origin)) {
+        draft_->Remark(kRest, origin, line.text, "counts where the shore's scripts set variables");
+        continue;
+      }
       if (obstacle_lines_.contains(origin)) {
         draft_->Remark(kRest, origin, line.text, "[[obstacle]]");
         continue;
@@ -745,7 +762,10 @@ class Importer {
   std::vector<std::string> warnings_;
   std::set<std::string> warned_;
   std::set<std::string> obstacle_lines_;  ///< Origins of lines that are obstacles.
-  std::set<std::string> obstacles_;       ///< Their corners.
+  MoosBridges bridges_;
+  std::set<std::string> bridge_lines_;
+  size_t num_events_ = 0;
+  std::set<std::string> obstacles_;  ///< Their corners.
   std::set<std::string> obstacle_ids_;
   MissionDraft* draft_ = nullptr;
 };

@@ -40,15 +40,41 @@ struct TimerScript {
   std::vector<TimerEvent> events;
   /// Lines that change what the script does and are not taken: their numbers, and how.
   std::vector<std::pair<int, std::string>> losses;
+  /// Numbers of lines that count and are no events: random variables, delays, rounds.
+  std::vector<int> taken = {};
 };
 
 /// Returns true where behaviors of `vehicle` go by a variable.
 using HasMoosVariable = std::function<bool(std::string_view vehicle, std::string_view variable)>;
 
-/// Reads a block of uTimerScript. `vehicle`: whose file it is; empty: the shore's. `vehicles`: all
-/// of the mission, for names such as DEPLOY_ABE. `has_variable` may be empty: none has any.
+/// Which variable of the shore reaches which vehicle: `bridge = src=UP_$N, alias=UP` of
+/// uFldShoreBroker, where $N is the vehicle's number, $V its name.
+class MoosBridges {
+ public:
+  /// Returns false where the line is no such rule.
+  bool Add(const MoosLine& line);
+
+  /// Returns "UP_ABE" or "UP_ALL" for what the shore posts; empty where no rule names it.
+  std::string Find(std::string_view posted, std::span<const std::string> vehicles) const;
+
+ private:
+  struct Bridge {
+    std::string source;
+    std::string alias;
+  };
+  std::vector<Bridge> bridges_;
+};
+
+/// Returns what the shore's variable is with the vehicle's name behind it; empty: nothing.
+using FindMoosBridge = std::function<std::string(std::string_view posted)>;
+
+/// Reads a block of uTimerScript. What is random there is drawn here, from the same distribution
+/// and the same in each import. Of a script that is repeated the rounds of the first 600 s.
+/// `vehicle`: whose file it is; empty: the shore's. `vehicles`: all of the mission, for names such
+/// as DEPLOY_ABE. `has_variable` may be empty: none has any.
 [[nodiscard]] TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
                                           std::span<const std::string> vehicles,
-                                          const HasMoosVariable& has_variable = {});
+                                          const HasMoosVariable& has_variable = {},
+                                          const FindMoosBridge& find_bridge = {});
 
 }  // namespace shoal

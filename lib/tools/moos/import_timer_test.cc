@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -80,14 +81,89 @@ TEST(TimerScript, CountsTimeAsTheScriptDoes) {
   const TimerScript script = Read(
       "delay_start = 10\ntime_warp = 2\nevent = var=DEPLOY_ALL, val=true, time=20:40\n"
       "condition = GO=true\nreset_max = nolimit\n");
-  EXPECT_EQ(script.events.at(0).at_s, 20) << "(30 + 10) / 2";
-  EXPECT_EQ(script.events.at(0).assumed, "the middle of its time, 20:40");
+  EXPECT_GE(script.events.at(0).at_s, 15) << "(20 + 10) / 2";
+  EXPECT_LT(script.events.at(0).at_s, 25) << "(40 + 10) / 2";
+  EXPECT_EQ(script.events.at(0).assumed, "drawn as uTimerScript draws it, once for all runs");
+  EXPECT_GT(script.events.size(), 20U);
   ASSERT_EQ(script.losses.size(), 2U);
   EXPECT_EQ(script.losses[0].second, "taken as if it held from the start");
-  EXPECT_EQ(script.losses[1].second, "the script is repeated; its events are taken once");
+  EXPECT_TRUE(script.losses[1].second.starts_with("the script is repeated: its "))
+      << script.losses[1].second;
   const TimerScript paused = Read("paused = true\nevent = var=DEPLOY_ALL, val=true");
   EXPECT_TRUE(paused.events.at(0).keys.empty());
   EXPECT_EQ(paused.losses.size(), 1U);
+}
+
+/// Returns what a vehicle's script sets and when: "5.0 A=1, ".
+std::string Posts(const std::string& lines) {
+  const MoosFile file = ParseMoosFile("ProcessConfig = uTimerScript\n{\n" + lines + "\n}\n", "f");
+  const std::vector<std::string> vehicles = {"abe", "ben"};
+  const auto all = [](std::string_view, std::string_view) { return true; };
+  std::string text;
+  for (const TimerEvent& event : ReadTimerScript(file.blocks.at(0), "abe", vehicles, all).events) {
+    const std::string argument = event.keys.empty() ? event.reason : event.keys.back().second;
+    text += std::to_string(event.at_s).substr(0, 4) + " " + argument + ", ";
+  }
+  return text;
+}
+
+// The times and values that MOOS-IvP's uTimerScript posts of these scripts.
+TEST(TimerScript, PostsWhatUTimerScriptPosts) {
+  EXPECT_EQ(
+      Posts("event = var=ECHO, val=late order, time=8\nevent = var=ALPHA, val=\"x y\", time=5"),
+      "5.00 \"ALPHA=x y\", 8.00 \"ECHO=lateorder\", ");
+  EXPECT_EQ(
+      Posts("event = var=TICK, val=$[COUNT], time=1\nevent = var=TOCK, val=$[TCOUNT], time=3\n"
+            "event = var=NEVER, val=1, time=9\nreset_max = 3\nreset_time = 5\n"
+            "delay_start = 4\ndelay_reset = 2"),
+      "5.00 \"TICK=0\", 8.00 \"TICK=0\", 10.0 \"TOCK=2\", 13.0 \"TICK=0\", 15.0 \"TOCK=4\", "
+      "18.0 \"TICK=0\", 20.0 \"TOCK=6\", ");
+  EXPECT_EQ(
+      Posts("event = var=M, val=id$[IDX], time=1, amt=2\nevent = var=M, val=id$(IDX)v=$[VNAME], "
+            "time=4, amt=0\ntime_warp = 2"),
+      "0.50 \"M=id000\", 0.50 \"M=id001\", 2.00 \"M=id002v=abe\", ");
+  EXPECT_EQ(Posts("event = var=A, val={2*3}, time=1\nevent = var=B, val={{2+3}-1}, time=2\n"
+                  "event = var=C, val={1+2+3}, time=3"),
+            "1.00 \"A=6\", 2.00 \"B=4\", 3.00 \"C={1+2+3}\", ");
+  EXPECT_EQ(Posts("event = var=A, val=$[UTC], time=1"),
+            "1.00 holds a macro, which has no value here: write an [[event]] by hand, ");
+}
+
+TEST(TimerScript, DrawsRandomVariablesWhenTheirKeySaysSo) {
+  std::vector<std::string> u;
+  std::vector<std::string> v;
+  const MoosFile file = ParseMoosFile(
+      "ProcessConfig = uTimerScript\n{\nrandvar = varname=U, min=10, max=20, key=at_start\n"
+      "randvar = varname=V, min=10, max=20, snap=5, key=at_reset\n"
+      "randvar = varname=BAD, min=0, max=1\n"
+      "event = var=U, val=$[U], time=1\nevent = var=V, val=$(V), time=2\n"
+      "reset_max = 30\nreset_time = 10\n}\n",
+      "f");
+  const std::vector<std::string> vehicles = {"abe"};
+  const auto all = [](std::string_view, std::string_view) { return true; };
+  const TimerScript script = ReadTimerScript(file.blocks.at(0), "abe", vehicles, all);
+  ASSERT_EQ(script.events.size(), 62U);
+  for (const TimerEvent& event : script.events) {
+    (event.keys.back().second[1] == 'U' ? u : v).push_back(event.keys.back().second);
+  }
+  EXPECT_EQ(std::set<std::string>(u.begin(), u.end()).size(), 1U);
+  EXPECT_EQ(std::set<std::string>(v.begin(), v.end()),
+            (std::set<std::string>{"\"V=10\"", "\"V=15\"", "\"V=20\""}));
+  ASSERT_EQ(script.losses.size(), 1U);
+  EXPECT_EQ(script.losses[0].first, 5);
+}
+
+TEST(TimerScript, FollowsTheBridgesOfTheShore) {
+  MoosBridges bridges;
+  EXPECT_TRUE(bridges.Add({.text = "", .key = "bridge", .value = "src=UP_RING_$N, alias=UP_RING"}));
+  EXPECT_TRUE(bridges.Add({.text = "", .key = "bridge", .value = "src=GO_$V, alias=GO"}));
+  EXPECT_TRUE(bridges.Add({.text = "", .key = "Bridge", .value = "src=ANY, alias=SOME"}));
+  EXPECT_FALSE(bridges.Add({.text = "", .key = "qbridge", .value = "DEPLOY"}));
+  const std::vector<std::string> vehicles = {"abe", "ben"};
+  EXPECT_EQ(bridges.Find("UP_RING_2", vehicles), "UP_RING_BEN");
+  EXPECT_EQ(bridges.Find("UP_RING_3", vehicles), "");
+  EXPECT_EQ(bridges.Find("GO_ABE", vehicles), "GO_ABE");
+  EXPECT_EQ(bridges.Find("ANY", vehicles), "SOME_ALL");
 }
 
 constexpr const char* kAbe = R"(Community = abe
@@ -147,12 +223,12 @@ TEST(ImportMoos, LeavesMacrosOfViewersAndScriptsToThem) {
   const MoosImport import =
       ImportOf("kayak",
                "ProcessConfig = pMarineViewer\n{\nleft_context = P=$(XPOS),$(YPOS)\n}\n"
-               "ProcessConfig = uTimerScript\n{\nevent = var=X, val=$(IDX)\n}\n"
+               "ProcessConfig = uTimerScript\n{\nevent = var=X, val=$(UTC)\n}\n"
                "ProcessConfig = uFldNodeComms\n{\ncomms_range = $(RANGE)\n}\n");
   std::string all;
   for (const std::string& warning : import.warnings) all += warning + "\n";
   EXPECT_EQ(all.find("shore.moos:3"), std::string::npos) << all;
-  EXPECT_NE(all.find("shore.moos:7: event = var=X, val=$(IDX): holds a macro"), std::string::npos)
+  EXPECT_NE(all.find("shore.moos:7: event = var=X, val=$(UTC): holds a macro"), std::string::npos)
       << all;
   EXPECT_NE(all.find("shore.moos:11: 'comms_range = $(RANGE)' is for nsplug"), std::string::npos)
       << all;
