@@ -19,6 +19,7 @@
 #include "lib/run/moos_text/fields.h"
 #include "lib/tools/moos/bhv_file.h"
 #include "lib/tools/moos/import.h"
+#include "lib/tools/moos/launch_script.h"
 #include "lib/tools/moos/moos_file.h"
 #include "lib/tools/moos/nsplug.h"
 
@@ -118,6 +119,47 @@ Result<MoosDefines> ReadDefines(std::string_view text, bool is_one) {
   return defines;
 }
 
+/// Reads a mission's folder: what its launch script plugs, or else its .moos and .bhv files. The
+/// script is read, never run.
+void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<std::string>* files,
+                std::vector<std::string>* notes) {
+  namespace fs = std::filesystem;
+  std::vector<std::string> scripts;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    const std::string name = entry.path().filename().string();
+    const bool is_made = name.starts_with("targ_");
+    if (!fs::is_regular_file(entry.path(), error) || is_made) continue;
+    if (name.starts_with("launch") && name.ends_with(".sh")) scripts.push_back(name);
+    if (name.ends_with(".moos") || name.ends_with(".bhv")) files->push_back(entry.path().string());
+  }
+  std::sort(files->begin(), files->end());
+  std::sort(scripts.begin(), scripts.end());
+  const auto main = std::find(scripts.begin(), scripts.end(), "launch.sh");
+  if (main != scripts.end()) std::rotate(scripts.begin(), main, main + 1);
+  const std::string base = folder.ends_with('/') ? folder : folder + "/";
+  for (const std::string& name : scripts) {
+    Result<std::string> text = ReadMoosFile(base + name);
+    if (!text.ok()) continue;
+    const LaunchPlan plan =
+        ReadLaunchScript({.name = base + name, .text = std::move(*text)}, how->find);
+    for (const LaunchFile& file : plan.files) {
+      auto source = how->find(file.source, base + name);
+      if (!source) {
+        notes->push_back(fmt::format("{}: {} is not there", name, Quoted(file.source)));
+        continue;
+      }
+      how->runs.push_back(
+          {.source = std::move(*source), .target = file.target, .defines = file.defines});
+    }
+    if (how->runs.empty()) continue;
+    for (const std::string& note : plan.notes) notes->push_back(note);
+    // Behaviors that no line plugs are found by their name.
+    files->clear();
+    return;
+  }
+}
+
 int Fail(const std::string& problem, int code) {
   fmt::print(stderr, "shoal: {}\n", problem);
   return code;
@@ -142,7 +184,17 @@ int RunImport(const ImportOptions& options) {
   };
   std::vector<MoosSource> sources;
   bool is_any_moos = false;
-  for (const std::string& path : options.files) {
+  std::vector<std::string> notes;
+  std::vector<std::string> files = options.files;
+  if (files.size() == 1 && std::filesystem::is_directory(files.front())) {
+    const std::string folder = std::exchange(files, {}).front();
+    ReadFolder(folder, &how, &files, &notes);
+    if (how.runs.empty() && files.empty()) {
+      return Fail(folder + " has no .moos file: name the folder of one mission", kExitUsage);
+    }
+    is_any_moos = true;
+  }
+  for (const std::string& path : files) {
     Result<std::string> text = ReadMoosFile(path);
     if (!text.ok()) return Fail(text.error(), kExitUsage);
     MoosSource source{.name = path, .text = std::move(*text)};
@@ -163,6 +215,7 @@ int RunImport(const ImportOptions& options) {
     return Fail("behaviors belong to a vehicle: name its .moos file too", kExitUsage);
   }
   const MoosImport import = ImportMoos(sources, how);
+  for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
   for (const std::string& warning : import.warnings) fmt::print(stderr, "{}\n", warning);
   if (options.out_path.empty()) {
     fmt::print("{}", import.mission);
@@ -175,6 +228,12 @@ int RunImport(const ImportOptions& options) {
   fmt::print(
       "{}: vehicles: {}, warnings: {}; its comments name every line that has no counterpart\n",
       options.out_path, import.num_vehicles, import.warnings.size());
+  if (!import.vehicles.empty()) {
+    std::string names;
+    for (const std::string& name : import.vehicles) names += (names.empty() ? "" : ", ") + name;
+    fmt::print("vehicles with behaviors, which `deploy` starts: {}\n", names);
+  }
+  fmt::print("next: shoal run {} --view, then shoal send all deploy\n", options.out_path);
   return kExitOk;
 }
 

@@ -41,6 +41,36 @@ TEST_F(Import, WritesAMissionThatLoads) {
   EXPECT_EQ(loaded.mission.vehicles.at(0).name, "abe");
 }
 
+TEST_F(Import, ReadsAFolderAsItsLaunchScriptPlugsIt) {
+  std::filesystem::create_directory(directory_.File("m"));
+  Write("m/launch.sh", "#!/bin/bash\ntouch " + directory_.File("run") +
+                           "\nfor N in ida jon; do\nnsplug meta.moos targ_$N.moos -f VNAME=$N\n"
+                           "nsplug meta.bhv targ_$N.bhv -f NAME=b_$N\ndone\n"
+                           "nsplug ../secret.moos targ_s.moos\npAntler targ_ida.moos\n");
+  Write("secret.moos", kBlock);
+  Write("m/meta.moos",
+        "Community = $(VNAME)\nProcessConfig = pHelmIvP\n{\n"
+        "behaviors = targ_$(VNAME).bhv\n}\n");
+  Write("m/meta.bhv", "Behavior = BHV_Timer\n{\nname = $(NAME)\n}\n");
+  const std::string toml = directory_.File("a.toml");
+  EXPECT_EQ(RunImport({.files = {directory_.File("m")}, .out_path = toml}), kExitOk);
+  const LoadedMission loaded = LoadMission(toml);
+  ASSERT_EQ(loaded.mission.vehicles.size(), 2U);
+  EXPECT_EQ(loaded.mission.vehicles[1].name, "jon");
+  EXPECT_EQ(loaded.mission.vehicles[1].behaviors.at(0).name, "b_jon");
+  EXPECT_FALSE(std::filesystem::exists(directory_.File("run"))) << "nothing of it is run";
+}
+
+TEST_F(Import, ReadsAFolderWithoutALaunchScript) {
+  std::filesystem::create_directory(directory_.File("m"));
+  EXPECT_EQ(RunImport({.files = {directory_.File("m")}, .out_path = ""}), kExitUsage);
+  Write("m/ida.moos", "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n");
+  Write("m/ida.bhv", "Behavior = BHV_Timer\n{\nname = b\n}\n");
+  const std::string toml = directory_.File("a.toml");
+  EXPECT_EQ(RunImport({.files = {directory_.File("m/")}, .out_path = toml}), kExitOk);
+  EXPECT_EQ(LoadMission(toml).mission.vehicles.at(0).behaviors.size(), 1U);
+}
+
 TEST_F(Import, LeavesAnExistingMissionAlone) {
   const std::string moos = Write("a.moos", kBlock);
   const std::string toml = Write("a.toml", "mine");

@@ -10,7 +10,9 @@ void AddImportOptions(Command command, CommandAction* action) {
   auto options = std::make_shared<ImportOptions>();
   command
       .AddOption("FILE", &options->files,
-                 "All files of one mission: .moos of shore and vehicles, .bhv of vehicles")
+                 "A mission's folder, whose launch script is read, not run; or all files of one "
+                 "mission: .moos "
+                 "of shore and vehicles, .bhv of vehicles")
       .Required();
   command.AddOption("--out", &options->out_path,
                     "Mission file to write, one that is not there yet; default: standard output");

@@ -41,7 +41,7 @@ class Importer {
     FindTemplates(sources);
     for (const MoosSource& source : sources) {
       if (IsBhvName(source.name)) {
-        bhv_sources_.push_back({.source = source});
+        bhv_sources_.push_back({.source = source, .target = {}, .defines = {}});
         continue;
       }
       MoosFile file = ParseMoosFile(Plug(source, options.defines, options.find));
@@ -60,7 +60,22 @@ class Importer {
     }
   }
 
+  /// Adds the files of a launch script.
+  void AddRuns() {
+    for (const MoosRun& run : options_.runs) {
+      MoosDefines defines = run.defines;
+      defines.insert(options_.defines.begin(), options_.defines.end());
+      if (IsBhvName(run.source.name)) {
+        bhv_sources_.push_back({.source = run.source, .target = run.target, .defines = defines});
+        continue;
+      }
+      files_.push_back(ParseMoosFile(Plug(run.source, defines, options_.find)));
+      defines_.push_back(std::move(defines));
+    }
+  }
+
   MoosImport Run() {
+    AddRuns();
     MissionDraft draft(Preamble());
     draft.AddTable(std::string(kMission), "[mission]", true);
     draft.AddTable(std::string(kCommsTable), "[comms]");
@@ -82,8 +97,13 @@ class Importer {
     for (std::string& refused : draft.MakeLoadable()) Warn(std::move(refused));
     const auto is_imported = [](const VehicleImport& vehicle) { return vehicle.is_imported(); };
     const auto num_vehicles = std::count_if(vehicles_.begin(), vehicles_.end(), is_imported);
+    std::vector<std::string> names;
+    for (const VehicleImport& vehicle : vehicles_) {
+      if (vehicle.behaviors().num_behaviors > 0) names.push_back(vehicle.name());
+    }
     return {.mission = draft.Text(),
             .warnings = std::move(warnings_),
+            .vehicles = std::move(names),
             .num_vehicles = static_cast<size_t>(num_vehicles)};
   }
 
@@ -123,6 +143,8 @@ class Importer {
 
   struct BhvSource {
     MoosSource source;
+    std::string target = {};   ///< What nsplug wrote; empty: it did not run.
+    MoosDefines defines = {};  ///< What it was given.
     bool is_used = false;
   };
 
@@ -383,13 +405,14 @@ class Importer {
   /// Returns the given file of behaviors with this name, nullptr: there is none.
   BhvSource* GivenBhv(std::string_view name) {
     for (BhvSource& given : bhv_sources_) {
-      if (FileName(given.source.name) == FileName(name)) return &given;
+      const std::string& written = given.target.empty() ? given.source.name : given.target;
+      if (FileName(written) == FileName(name)) return &given;
     }
     return nullptr;
   }
 
   /// Returns the file of behaviors of a vehicle's file.
-  std::optional<MoosSource> FindBhv(const MoosFile& file) {
+  std::optional<MoosSource> FindBhv(const MoosFile& file, MoosDefines* defines) {
     std::vector<std::string> names;
     if (const MoosLine* line = BehaviorsLine(file)) {
       names.push_back(line->value);
@@ -401,6 +424,7 @@ class Importer {
     for (const std::string& name : names) {
       if (BhvSource* given = GivenBhv(name)) {
         given->is_used = true;
+        for (const auto& [macro, value] : given->defines) defines->insert_or_assign(macro, value);
         return given->source;
       }
     }
@@ -417,9 +441,9 @@ class Importer {
 
   void ReadBehaviors() {
     for (size_t i = 0; i < file_of_vehicle_.size(); ++i) {
-      const auto source = FindBhv(files_[file_of_vehicle_[i]]);
-      if (!source) continue;
       MoosDefines defines = defines_[file_of_vehicle_[i]];
+      const auto source = FindBhv(files_[file_of_vehicle_[i]], &defines);
+      if (!source) continue;
       defines.emplace("VNAME", vehicles_[i].name());
       std::vector<std::string> contacts;
       for (const VehicleImport& other : vehicles_) {
@@ -430,7 +454,7 @@ class Importer {
       for (const std::string& warning : vehicles_[i].behaviors().warnings) Warn(warning);
     }
     for (const BhvSource& given : bhv_sources_) {
-      if (given.is_used) continue;
+      if (given.is_used || !given.target.empty()) continue;
       Warn(
           fmt::format("{}: no vehicle has these behaviors: name the file after the vehicle's .moos "
                       "file, or in pHelmIvP's Behaviors",

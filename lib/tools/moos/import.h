@@ -20,11 +20,20 @@
 
 namespace shoal {
 
+/// A file that a launch script has plugged, with what nsplug was given.
+struct MoosRun {
+  MoosSource source;
+  std::string target;  ///< "targ_abe.bhv".
+  MoosDefines defines;
+};
+
 struct MoosImportOptions {
   MoosDefines defines = {};  ///< Values of macros, in every file.
   /// Not empty: a vehicle's file is a template, imported once for each of these, with these values
   /// besides.
   std::vector<MoosDefines> vehicles = {};
+  /// Files besides the sources, each as it was plugged for one vehicle or the shore.
+  std::vector<MoosRun> runs = {};
   /// Finds included files, and behavior files that are not among the sources; may be empty.
   FindMoosFile find = {};
 };
@@ -39,7 +48,8 @@ struct MoosImport {
   /// lost, a vehicle becomes another, an event of a script is lost. Other lines without a
   /// counterpart are comments only.
   std::vector<std::string> warnings;
-  size_t num_vehicles = 0;  ///< Described by the sources; the mission has at least one.
+  std::vector<std::string> vehicles;  ///< Names of those with behaviors.
+  size_t num_vehicles = 0;            ///< Described by the sources; the mission has at least one.
 };
 
 /// Converts any text; what cannot be converted becomes a comment.

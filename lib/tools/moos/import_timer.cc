@@ -39,6 +39,8 @@ bool IsOverride(std::string_view variable) {
          variable.starts_with("MOOS_MANUAL_OVERRIDE");
 }
 
+constexpr std::string_view kOnlyDraws = "only draws: the viewer has a way of its own";
+
 bool HasMacro(std::string_view text) {
   return text.find("$[") != text.npos || text.find("$(") != text.npos ||
          text.find("%(") != text.npos || text.find("${") != text.npos;
@@ -170,6 +172,7 @@ class EventConverter {
         find_bridge_(find_bridge) {}
 
   Converted Convert(const std::string& posted, const std::string& value) const {
+    if (posted.starts_with("VIEW_")) return std::string(kOnlyDraws);
     const bool may_be_bridged = vehicle_.empty() && find_bridge_ != nullptr;
     const std::string bridged = may_be_bridged ? find_bridge_(posted) : "";
     const std::string& variable = bridged.empty() ? posted : bridged;
@@ -472,6 +475,9 @@ class ScriptRun {
       const bool goes_on = round < script_.num_resets && !result->events.empty();
       if (!goes_on || !(length_s > 0)) return;
       if (begin_s <= kLongest_s && result->events.size() < kMostEvents) continue;
+      const bool any = std::any_of(result->events.begin(), result->events.end(),
+                                   [](const TimerEvent& event) { return !event.keys.empty(); });
+      if (!any) return;  // Its events are lost anyway.
       result->losses.emplace_back(
           script_.reset_line,
           fmt::format("the script is repeated: its {} rounds that begin within {:.0f} s are taken",
@@ -560,6 +566,7 @@ class ScriptRun {
       event->keys = std::move(*keys);
     } else {
       event->reason = std::get<std::string>(converted);
+      event->is_needless = event->reason == kOnlyDraws;
     }
   }
 

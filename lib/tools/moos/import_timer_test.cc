@@ -85,6 +85,7 @@ TEST(TimerScript, CountsTimeAsTheScriptDoes) {
   EXPECT_LT(script.events.at(0).at_s, 25) << "(40 + 10) / 2";
   EXPECT_EQ(script.events.at(0).assumed, "drawn as uTimerScript draws it, once for all runs");
   EXPECT_GT(script.events.size(), 20U);
+  EXPECT_TRUE(Read("event = var=VIEW_POINT, val=\"x=1\"").events.at(0).is_needless);
   ASSERT_EQ(script.losses.size(), 2U);
   EXPECT_EQ(script.losses[0].second, "taken as if it held from the start");
   EXPECT_TRUE(script.losses[1].second.starts_with("the script is repeated: its "))

@@ -1,0 +1,106 @@
+#include "lib/tools/moos/launch_script.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace shoal::launch_script_test {
+
+using Files = std::map<std::string, std::string>;
+
+/// Returns "SOURCE > TARGET A=1 B=2" for each file, and the notes.
+std::string Plan(const std::string& text, const Files& files = {}) {
+  const FindMoosFile find = [&](std::string_view name,
+                                std::string_view) -> std::optional<MoosSource> {
+    const auto at = files.find(std::string(name));
+    if (at == files.end()) return std::nullopt;
+    return MoosSource{.name = at->first, .text = at->second};
+  };
+  const LaunchPlan plan = ReadLaunchScript({.name = "launch.sh", .text = text}, find);
+  std::string lines;
+  for (const LaunchFile& file : plan.files) {
+    lines += file.source + " > " + file.target;
+    for (const auto& [name, value] : file.defines) lines += " " + name + "=" + value;
+    lines += "\n";
+  }
+  for (const std::string& note : plan.notes) lines += note + "\n";
+  return lines;
+}
+
+TEST(LaunchScript, TakesVariablesQuotesAndContinuedLines) {
+  EXPECT_EQ(Plan("#!/bin/bash -e\nNAME1=\"ida\"  # the first\nPOS1=\"x=5,y=6\"\n"
+                 "nsplug meta.moos targ_$NAME1.moos -f WARP=$WARP \\\n"
+                 "   VNAME=$NAME1 START=\"$POS1\" NIGHT\n"),
+            "meta.moos > targ_ida.moos NIGHT=<defined> START=x=5,y=6 VNAME=ida WARP=\n");
+}
+
+TEST(LaunchScript, TakesTheBranchesOfARunWithoutArguments) {
+  EXPECT_EQ(
+      Plan("MAKE=no\nfor ARGI; do\n if [ \"${ARGI}\" = \"-j\" ] ; then\n MAKE=yes\n fi\ndone\n"
+           "if [ \"${MAKE}\" = \"yes\" -o -z \"$MAKE\" ]; then\n exit 0\nelif [ 2 -gt 1 -a $MAKE = "
+           "no ]\n"
+           "then\n A=1\nelse A=2\nfi\n[ -n \"$A\" ] && B=3\n"
+           "nsplug a.bhv b.bhv A=$A B=$B\nexit 0\nnsplug c.bhv d.bhv\n"),
+      "a.bhv > b.bhv A=1 B=3\n");
+}
+
+TEST(LaunchScript, GoesRoundLoopsWithArraysAndSums) {
+  EXPECT_EQ(Plan("NAMES=(ida jon)\nPOS=(`cat pos.txt`)\nfor IX in `seq 1 ${#NAMES[@]}`;\ndo\n"
+                 " IXX=$(($IX - 1))\n nsplug m.moos targ_${NAMES[$IXX]}.moos P=${POS[$IXX]} "
+                 "PORT=900$((IX*2+1))\ndone\n",
+                 {{"pos.txt", "1,2\n3,4\n"}}),
+            "m.moos > targ_ida.moos P=1,2 PORT=9003\nm.moos > targ_jon.moos P=3,4 PORT=9005\n");
+}
+
+TEST(LaunchScript, CallsOtherScriptsWithTheirArguments) {
+  EXPECT_EQ(Plan("vecho() { if [ \"$V\" != \"\" ]; then echo \"$1\"; fi }\n"
+                 "./field.sh\nV=(`cat names.txt`)\nARGS=\" --sim \"\nARGS+=\" --vname=${V[1]} \"\n"
+                 "vecho \"go\"\nCMD=\"./vehicle.sh $ARGS\"\neval $CMD\n",
+                 {{"field.sh", "echo ida > names.txt\necho jon >> names.txt\n"},
+                  {"vehicle.sh",
+                   "for ARGI; do\nif [ \"${ARGI:0:8}\" = \"--vname=\" ]; then\n"
+                   "VNAME=\"${ARGI#--vname=*}\"\nelif [ $ARGI = --sim ]; then MODE=SIM\nfi\ndone\n"
+                   "nsplug v.moos targ_$VNAME.moos VNAME=$VNAME MODE=$MODE\n"}}),
+            "v.moos > targ_jon.moos MODE=SIM VNAME=jon\n");
+}
+
+TEST(LaunchScript, PicksNamesAndColorsAndGoesRoundWhile) {
+  EXPECT_EQ(
+      Plan("pickpos --amt=2 --vnames > v.txt\npickpos --amt=2 --spd=2:2 > s.txt\nV=(`cat v.txt`)\n"
+           "S=(`cat s.txt`)\nI=0\nwhile [ $I -lt 2 ]; do\nnsplug m.moos ${V[$I]}.moos S=${S[$I]}\n"
+           "I=$((I+1))\ndone\nwhile [ 1 = 1 ]; do\nread A\ndone\n"),
+      "m.moos > abe.moos S=2\nm.moos > ben.moos S=2\n");
+}
+
+TEST(LaunchScript, TakesAFileThatIsLaunchedAsItIs) {
+  EXPECT_EQ(Plan("pAntler alpha.moos --MOOSTimeWarp=1 >& /dev/null &\npAntler targ_x.moos\n",
+                 {{"alpha.moos", ""}}),
+            "alpha.moos > alpha.moos\n");
+}
+
+TEST(LaunchScript, NamesWhatItCannotRead) {
+  EXPECT_EQ(Plan("A=`ifconfig`\n./gone.sh\nnsplug a.moos b.moos A=$A\n"),
+            "a.moos > b.moos A=\nlaunch.sh:1: the output of 'ifconfig' is not known\n"
+            "launch.sh:2: './gone.sh' is not there\n");
+}
+
+TEST(LaunchScript, EndsWithScriptsThatCallThemselves) {
+  const std::string loop = "for I in `seq 1 1000`; do\n./launch.sh\nA+=aaaaaaaaaaaaaaaa\ndone\n";
+  Plan(loop, {{"launch.sh", loop}});
+}
+
+RC_GTEST_PROP(LaunchScript, AcceptsAnyText, ()) {
+  const auto words = *rc::gen::container<std::vector<std::string>>(rc::gen::element<std::string>(
+      "if ", "[ ", " ]", "then\n", "else\n", "fi\n", "for I in ", "do\n", "done\n", "A=", "$A",
+      "${A", "}", "\"", "'", "`", "$((", "))", "$(", ")", "(", "nsplug ", "a.moos ", "\n", ";", " ",
+      "\\", "#", "eval ", "-o ", "= ", "f() {", "&& ", "\xff", "[0]", ":0:2", "//x"));
+  std::string text;
+  for (const std::string& word : words) text += word;
+  Plan(text, {{"a.moos", text}});
+}
+
+}  // namespace shoal::launch_script_test
