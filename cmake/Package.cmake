@@ -35,7 +35,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= 3.11)")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS iproute2)
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS
-  "gnuplot-nox, python3-numpy, liblcm-bin, liblcm-dev, libfmt-dev, libeigen3-dev, libsodium-dev, libtomlplusplus-dev, libexpat1-dev")
+  "gnuplot-nox, python3-numpy, liblcm-bin, liblcm-dev, libfmt-dev, libeigen3-dev, libsodium-dev, libtomlplusplus-dev, libexpat1-dev, libzstd-dev")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA
   "${CMAKE_SOURCE_DIR}/packaging/postinst;${CMAKE_SOURCE_DIR}/packaging/prerm;${CMAKE_SOURCE_DIR}/packaging/shlibs;${CMAKE_SOURCE_DIR}/packaging/triggers")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)

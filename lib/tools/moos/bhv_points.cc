@@ -190,7 +190,7 @@ Result<BhvPoints> MakeEllipse(std::string_view text, const Values& values) {
   const int num_points = static_cast<int>(count);
   for (int i = 0; i < num_points; ++i) {
     const double at_rad = -std::numbers::pi + i * 2 * std::numbers::pi / num_points;
-    const Eigen::Vector2d along_m(major_m * std::cos(at_rad), minor_m * std::sin(at_rad));
+    const Eigen::Vector2d along_m(major_m * Cos(at_rad), minor_m * Sin(at_rad));
     round.points_m.push_back(Snapped(center_m + Turned(along_m, -angle_rad / kRadPerDeg), snap_m));
   }
   DropEqualNeighbours(&round.points_m);

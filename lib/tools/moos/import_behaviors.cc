@@ -12,6 +12,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
@@ -533,7 +534,7 @@ class BlockImporter {
       const Eigen::Vector2d vector_m = *leg_m_[1] - *leg_m_[0];
       center_m = (*leg_m_[0] + *leg_m_[1]) / 2;
       length_m = vector_m.norm();
-      angle_rad = std::atan2(vector_m.x(), vector_m.y());
+      angle_rad = Atan2(vector_m.x(), vector_m.y());
     } else if (!is_whole) {
       return Refuse(line, "stands before p1 and p2"), true;
     }
@@ -557,8 +558,7 @@ class BlockImporter {
       center_m = point->points_m.front();
     }
     if (!(length_m > 0)) return Refuse(line, "a leg must be longer than 0 m"), true;
-    const Eigen::Vector2d half_m =
-        Eigen::Vector2d(std::sin(angle_rad), std::cos(angle_rad)) * (length_m / 2);
+    const Eigen::Vector2d half_m = Eigen::Vector2d(Sin(angle_rad), Cos(angle_rad)) * (length_m / 2);
     leg_m_ = {center_m - half_m, center_m + half_m};
     for (size_t i = 0; i < leg_m_.size(); ++i) {
       Eigen::Vector2d& end_m = *leg_m_[i];

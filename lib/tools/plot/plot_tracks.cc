@@ -43,7 +43,7 @@ struct Bounds {
 /// Returns 1, 2 or 5 times a power of ten, at least `least`: a step between marks of an axis.
 /// @pre least > 0
 double RoundStep(double least) {
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  const double power = Pow(10.0, std::floor(Log10(least)));
   for (const double factor : {1.0, 2.0, 5.0}) {
     if (factor * power >= least) return factor * power;
   }
