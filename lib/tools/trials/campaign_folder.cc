@@ -309,7 +309,7 @@ Result<StoredTrials> ReadShards(const CampaignFolder& folder) {
         continue;
       }
       if (!trial->arithmetic.empty() && trial->arithmetic != folder.plan.arithmetic) {
-        stored.of_other_arithmetic.try_emplace(file.filename().string(), trial->arithmetic);
+        stored.of_other_arithmetic.try_emplace(TerminalLine(name), trial->arithmetic);
       }
       AddTrial(*std::move(trial), &stored.by_case[number->second], &stored.differing);
     }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "lib/base/text/terminal_text.h"
 #include "lib/bus/os/replace_file.h"
 #include "lib/bus/record/csv_rows.h"
 #include "lib/tools/campaign/plan.h"
@@ -94,12 +95,13 @@ Result<CampaignResults> ReadResults(const CampaignFolder& folder) {
   if (!stored->of_other_arithmetic.empty()) {
     std::string shards;
     for (const auto& [shard, arithmetic] : stored->of_other_arithmetic) {
-      shards += fmt::format("{}shards/{} ({})", shards.empty() ? "" : ", ", shard, arithmetic);
+      shards += fmt::format("{}shards/{} ({})", shards.empty() ? "" : ", ", shard,
+                            TerminalLine(arithmetic, 16));
     }
     return Error{fmt::format(
         "{}: the campaign's arithmetic is {}; trials of another one stand in {}: results of two "
         "are not mixed; take these files away and run the campaign again",
-        folder.path, folder.plan.arithmetic, shards)};
+        folder.path, TerminalLine(folder.plan.arithmetic, 16), shards)};
   }
   if (!stored->differing.empty()) {
     return Error{fmt::format(
