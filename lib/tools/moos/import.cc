@@ -464,16 +464,29 @@ class Importer {
 
   /// Gives vehicles what the button that deploys them sets besides.
   void ReadAllButtons() {
+    // A script that deploys sets what it means to set.
+    bool deploys_by_script = false;
+    for (const MoosFile& file : files_) {
+      for (const MoosBlock& block : file.blocks) {
+        if (AppClass(block.app) != "utimerscript") continue;
+        for (const MoosLine& line : block.lines) {
+          deploys_by_script =
+              deploys_by_script ||
+              (LowerCase(line.key) == "event" && line.value.find("var=DEPLOY") != line.value.npos);
+        }
+      }
+    }
     for (size_t i = 0; i < files_.size(); ++i) {
       for (const MoosBlock& block : files_[i].blocks) {
         if (AppClass(block.app) != "pmarineviewer") continue;
         std::vector<MoosButton> buttons = ReadButtons(block);
-        if (const MoosButton* deploy = FindDeployButton(buttons)) {
+        const VehicleImport* own = VehicleOf(i);
+        for (VehicleImport& vehicle : vehicles_) {
+          const MoosButton* deploy = FindDeployButton(buttons, vehicle.name());
+          if (deploy == nullptr || (own != nullptr && own != &vehicle)) continue;
           deploy_keys_.insert({&block, deploy->key});
-          for (VehicleImport& vehicle : vehicles_) {
-            const VehicleImport* own = VehicleOf(i);
-            if (own == nullptr || own == &vehicle) SetButton(*deploy, own != nullptr, &vehicle);
-          }
+          if (deploys_by_script) continue;
+          SetButton(*deploy, own != nullptr, &vehicle);
         }
         buttons_[&block] = std::move(buttons);
       }
@@ -495,7 +508,7 @@ class Importer {
   }
 
   void SetButton(const MoosButton& button, bool is_own, VehicleImport* vehicle) {
-    std::vector<std::string> settings;
+    std::vector<std::pair<std::string, std::string>> settings;
     for (const auto& [posted, value] : button.posts) {
       const std::string variable = VariableOf(posted, is_own, *vehicle);
       // The order `deploy` sets these itself.
@@ -504,7 +517,7 @@ class Importer {
           value.find("$") != value.npos) {
         continue;
       }
-      settings.push_back(variable + " = " + value);
+      settings.emplace_back(variable, value);
     }
     if (!settings.empty()) vehicle->SetWithDeploy(settings, button.origins);
   }

@@ -42,11 +42,18 @@ std::vector<MoosButton> ReadButtons(const MoosBlock& block) {
   return buttons;
 }
 
-const MoosButton* FindDeployButton(const std::vector<MoosButton>& buttons) {
-  for (const auto& [name, wanted] : {std::pair{"DEPLOY", "true"}, {"MOOS_MANUAL_OVER", "false"}}) {
+const MoosButton* FindDeployButton(const std::vector<MoosButton>& buttons,
+                                   std::string_view vehicle) {
+  constexpr std::pair<std::string_view, std::string_view> kPosts[] = {
+      {"DEPLOY", "true"}, {"MOOS_MANUAL_OVERRIDE", "false"}, {"MOOS_MANUAL_OVERIDE", "false"}};
+  for (const auto& [name, wanted] : kPosts) {
     for (const MoosButton& button : buttons) {
       for (const auto& [variable, value] : button.posts) {
-        if (variable.starts_with(name) && LowerCase(value) == wanted) return &button;
+        if (!variable.starts_with(name) || LowerCase(value) != wanted) continue;
+        const std::string suffix = LowerCase(variable.substr(name.size()));
+        if (suffix.empty() || suffix == "_all" || suffix == "_" + LowerCase(vehicle)) {
+          return &button;
+        }
       }
     }
   }

@@ -27,8 +27,9 @@ struct MoosButton {
 /// Returns true for "button_one" and "button_1", in any case.
 [[nodiscard]] bool IsButton(std::string_view key);
 
-/// Returns the button that starts the vehicles: it posts DEPLOY (or DEPLOY_ALL, DEPLOY_ABE ...) =
+/// Returns the button that starts a vehicle: it posts DEPLOY (or DEPLOY_ALL, DEPLOY_ABE of abe) =
 /// true, or else MOOS_MANUAL_OVERRIDE = false; nullptr: there is none.
-[[nodiscard]] const MoosButton* FindDeployButton(const std::vector<MoosButton>& buttons);
+[[nodiscard]] const MoosButton* FindDeployButton(const std::vector<MoosButton>& buttons,
+                                                 std::string_view vehicle);
 
 }  // namespace shoal

@@ -490,7 +490,16 @@ TEST(ImportMoos, SetsWithDeployWhatTheButtonSets) {
   const shoal::Vehicle ida = Loaded(import).mission.vehicles.front();
   ASSERT_EQ(ida.behaviors.size(), 2U);
   EXPECT_EQ(ida.behaviors[1].name, "deploy_button");
+  EXPECT_EQ(ida.variables.at("PATROL"), VariableValue("true"));
   EXPECT_NE(import.mission.find("runflag = [\"PATROL = true\"]"), std::string::npos);
+}
+
+TEST(ImportMoos, TakesTheButtonOfTheVehicleWhereEachHasItsOwn) {
+  const MoosImport import = WithButtons("",
+                                        "button_one = ZOE # DEPLOY_ZOE=true # PATROL_ZOE=false\n"
+                                        "button_two = IDA # DEPLOY_IDA=true # PATROL_IDA=true\n");
+  EXPECT_NE(import.mission.find("runflag = [\"PATROL = true\"]"), std::string::npos);
+  EXPECT_EQ(import.mission.find("PATROL = false"), std::string::npos);
 }
 
 TEST(ImportMoos, StatesTheCommandForEveryOtherButton) {

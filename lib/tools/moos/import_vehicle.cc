@@ -107,11 +107,34 @@ VehicleImport::VehicleImport(size_t number, std::string name, std::string remark
       is_imported_(is_imported),
       is_underwater_(is_underwater) {}
 
-void VehicleImport::SetWithDeploy(const std::vector<std::string>& settings,
+void VehicleImport::SetFirstValue(const std::string& name, const std::string& value,
+                                  const std::string& origins) {
+  auto table =
+      std::find_if(behaviors_.tables.begin(), behaviors_.tables.end(),
+                   [](const BhvTable& each) { return each.header == "[vehicle.variables]"; });
+  if (table == behaviors_.tables.end()) {
+    table = behaviors_.tables.insert(behaviors_.tables.begin(),
+                                     {.header = "[vehicle.variables]", .lines = {}});
+  }
+  for (DraftLine& line : table->lines) {
+    if (line.key != name) continue;
+    line.key.clear();
+    line.reason = "the button sets another value with DEPLOY, before which nothing happens";
+  }
+  const auto number = NumberIn(value);
+  table->lines.push_back({.key = name,
+                          .value = number ? TomlNumber(*number) : TomlString(value),
+                          .origin = origins,
+                          .text = name + " = " + value,
+                          .reason = "As the button sets it with DEPLOY."});
+}
+
+void VehicleImport::SetWithDeploy(const std::vector<std::pair<std::string, std::string>>& settings,
                                   const std::string& origins) {
   std::string flags;
-  for (const std::string& setting : settings) {
-    flags += (flags.empty() ? "" : ", ") + TomlString(setting);
+  for (const auto& [name, value] : settings) {
+    flags += (flags.empty() ? "" : ", ") + TomlString(fmt::format("{} = {}", name, value));
+    SetFirstValue(name, value, origins);
   }
   BhvTable table{.header = "[[vehicle.behavior]]", .lines = {}};
   const auto set = [&](std::string key, std::string value, std::string origin, std::string reason) {

@@ -40,9 +40,11 @@ class VehicleImport {
   /// Gives it the behaviors of its file.
   void SetBehaviors(BhvImport behaviors) { behaviors_ = std::move(behaviors); }
 
-  /// Adds a behavior that sets variables where the vehicle is deployed, as a button does that posts
-  /// more than DEPLOY. `settings`: "NAME = value".
-  void SetWithDeploy(const std::vector<std::string>& settings, const std::string& origins);
+  /// Sets variables where the vehicle is deployed, as a button does that posts more than DEPLOY: as
+  /// their first values, since a helm does nothing before, and by a behavior each time. `settings`:
+  /// names and values.
+  void SetWithDeploy(const std::vector<std::pair<std::string, std::string>>& settings,
+                     const std::string& origins);
 
   /// Adds the tables of the vehicle, with its name.
   /// @pre called once, before what follows; `draft` outlives this.
@@ -78,6 +80,7 @@ class VehicleImport {
     std::string texts;
   };
 
+  void SetFirstValue(const std::string& name, const std::string& value, const std::string& origins);
   static void Gather(const std::string& origin, const MoosLine& line, Gathered* gathered);
   bool TakeSim(std::string_view key, const std::string& origin, const MoosLine& line,
                std::vector<std::string>* warnings);
