@@ -12,6 +12,7 @@
 
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
+#include "lib/bus/bus/channels.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/run/moos_text/fields.h"
@@ -91,6 +92,7 @@ class Importer {
     Assume(kMission, "duration_s", TomlNumber(std::max(600.0, std::ceil(last_event_s) + 60)),
            "Assumed: MOOS missions have no end of their own.");
     for (size_t i = 0; i < files_.size(); ++i) TakeFile(files_[i], VehicleOf(i));
+    TakeDirectRoutes();
     TakeFactors();
     for (VehicleImport& vehicle : vehicles_) vehicle.Finish();
     WarnOfBehaviors();
@@ -724,6 +726,27 @@ class Importer {
     draft_->Remark(kCommsTable, origin, line.text, reason);
     Warn(origin + ": " + line.text + ": " + reason);
     return true;
+  }
+
+  /// Without uFldNodeComms, pShare takes node reports from vehicle to vehicle at any range.
+  void TakeDirectRoutes() {
+    const MoosLine* route = nullptr;
+    for (const MoosFile& file : files_) {
+      for (const MoosBlock& block : file.blocks) {
+        if (AppClass(block.app) == "ufldnodecomms") return;
+        if (AppClass(block.app) != "pshare") continue;
+        for (const MoosLine& line : block.lines) {
+          const bool is_report = line.value.find(topics::kNodeReport) != line.value.npos;
+          if (LowerCase(line.key) == "output" && is_report && route == nullptr) route = &line;
+        }
+      }
+    }
+    if (route == nullptr || vehicles_.size() < 2) return;
+    draft_->Set(kCommsTable, {.key = "comms_range",
+                              .value = TomlString("nolimit"),
+                              .origin = route->origin,
+                              .text = route->text,
+                              .reason = "Without uFldNodeComms reports go at any range."});
   }
 
   void TakeFactors() {

@@ -727,7 +727,8 @@ std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::s
     bool has_contact = false;
     for (MoosLine line : block.lines) {
       const std::string key = LowerCase(line.key.substr(0, 64));
-      if (key == "templating" || key == "max_spawnings" || key == "no_alert_request") continue;
+      if (key == "max_spawnings") continue;
+      if (key == "templating") line.value = "disallowed";
       const bool is_contact = key == "contact" || key == "them";
       has_contact = has_contact || is_contact;
       if (key == "name" || key == "descriptor") line.value += contact;

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "lib/base/text/letters.h"
 #include "lib/mission/file/load.h"
 #include "lib/tools/moos/quoted_csv_testing.h"
 
@@ -606,6 +608,66 @@ TEST(ImportMoos, MakesATemplateAboutContactsOneBehaviorForEachOtherVehicle) {
   EXPECT_EQ(ida.behaviors[0].condition, (std::vector<std::string>{"MARKED_jon = true"}));
   EXPECT_EQ(std::get<TrailOptions>(ida.behaviors[0].what).contact.contact, "jon");
   EXPECT_EQ(ida.behaviors[1].name, "near_jon");
+}
+
+TEST(ImportMoos, LimitsNoRangeWherePShareTakesReportsFromVehicleToVehicle) {
+  const auto range = [](const std::string& more) {
+    const std::string share =
+        "ProcessConfig = pShare\n{\nOutput = src_name=NODE_REPORT_LOCAL, "
+        "dest_name=NODE_REPORT, route=localhost:9302\n}\n";
+    const MoosImport import = ImportMoos(
+        std::vector<MoosSource>{
+            {.name = "v.moos", .text = std::string(kHelmMoos) + share},
+            {.name = "v.bhv", .text = std::string(kTimerBhv)},
+            {.name = "s.moos",
+             .text = "Community = shore\nProcessConfig = pLogger\n{\n}\n" + more}},
+        {.defines = {}, .vehicles = {{{"VNAME", "ida"}}, {{"VNAME", "jon"}}}, .find = {}});
+    return import.mission.find("comms_range = \"nolimit\"") != std::string::npos;
+  };
+  EXPECT_TRUE(range(""));
+  EXPECT_FALSE(range("ProcessConfig = uFldNodeComms\n{\n}\n"));
+}
+
+TEST(ImportMoos, AccountsForEveryLine) {
+  const std::vector<MoosSource> sources = {
+      {.name = "v.moos",
+       .text =
+           "ServerHost = localhost\nCommunity = ida\nOdd = 1\nLatOrigin = 54\nLongOrigin = 10\n"
+           "ProcessConfig = ANTLER\n{\nRun = pHelmIvP @ NewConsole = false\nRun = myApp\n}\n"
+           "ProcessConfig = myApp\n{\nodd = 1\n}\n#ifdef NIGHT\n#endif\n#elseif X\n"
+           "ProcessConfig = uSimMarineV22\n{\nstart_pos = 1,2\nturn_rate = 60\nodd = 2\n}\n"
+           "ProcessConfig = pHelmIvP\n{\nbehaviors = v.bhv\ndomain = speed:0:3:31\nodd = 3\n}\n"
+           "ProcessConfig = pObstacleMgr\n{\ngiven_obstacle = pts={8,8:9,8:9,9},label=a\n"
+           "given_obstacle = x\n}\nno block\nProcessConfig = pMarineViewer\n{\n"
+           "button_one = DEPLOY # DEPLOY=true # GO=true\nbutton_two = X # GO=false\n"
+           "tiff_file = a.tif\n}\nProcessConfig = uFldShoreBroker\n{\n"
+           "bridge = src=UP_$N, alias=UP\nqbridge = DEPLOY\n}\n"
+           "ProcessConfig = uTimerScript\n{\nrandvar = varname=X, min=0, max=1, key=at_post\n"
+           "randvar = odd\nevent = var=GO, val=true, time=5\nevent = var=NO, val=$[X]\n"
+           "event = quit\nreset_max = 1\nreset_time = 50\npaused = false\ncondition = A = b\n}\n"},
+      {.name = "v.bhv",
+       .text = "initialize DEPLOY = false\nset MODE = ON {\nDEPLOY = true\n} OFF\nwhat is this\n"
+               "Behavior = BHV_Waypoint\n{\nname = w\ncondition = GO = true\npoints = 0,0:5,5\n"
+               "speed = fast\nodd = 4\nvisual_hints = x=1\n}\n{\nname = headless\n}\n"
+               "Behavior = BHV_None\n{\nname = n\n}\nBehavior = BHV_Loiter\n{\nspeed = 1\n"
+               "polygon = none\n}\n"}};
+  const MoosImport import = ImportMoos(sources);
+  for (const MoosSource& source : sources) {
+    std::istringstream text(source.text);
+    int number = 1;
+    for (std::string line; std::getline(text, line); ++number) {
+      const std::string origin = source.name + ":" + std::to_string(number);
+      const bool is_frame = line == "{" || line == "}" || line == "#endif" ||
+                            line.starts_with("ProcessConfig") || line.starts_with("} ");
+      if (is_frame) continue;
+      bool is_there = false;
+      for (size_t at = import.mission.find(origin); at != std::string::npos;
+           at = import.mission.find(origin, at + 1)) {
+        is_there = is_there || !IsDigit(import.mission[at + origin.size()]);
+      }
+      EXPECT_TRUE(is_there) << origin << ": " << line;
+    }
+  }
 }
 
 }  // namespace shoal::import_test
