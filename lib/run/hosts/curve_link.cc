@@ -176,8 +176,10 @@ LinkOutbox::Sent HostDoor::Sockets::SendNow(const std::string& peer,
 }
 
 void HostDoor::Sockets::SendWaiting() {
-  for (auto& [peer, outbox] : outboxes) {
-    outbox.SendWaiting([&](std::span<const uint8_t> each) { return SendNow(peer, each); });
+  for (auto& each_peer : outboxes) {  // clang 14 captures no structured binding.
+    const auto& peer = each_peer.first;
+    each_peer.second.SendWaiting(
+        [&](std::span<const uint8_t> each) { return SendNow(peer, each); });
   }
   std::erase_if(outboxes, [](const auto& item) { return item.second.IsIdle(); });
 }
