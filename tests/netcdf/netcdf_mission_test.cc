@@ -312,7 +312,7 @@ TEST_P(NetcdfMissions, ReadNamedDepthsWithLandAsDepthsAndAskWhereTheLandIsTheLar
                                std::vector<double>(9, -0.5)));
   EXPECT_NE(ErrorOf("floor = {grid = \"sea/zos.nc\"}").find("which variable is the sea floor"),
             std::string::npos);
-  EXPECT_NE(ErrorOf("floor = {grid = \"sea/zos.nc:zos\"}").find("is no sea floor"),
+  EXPECT_NE(ErrorOf("floor = {grid = \"sea/zos.nc:zos\"}").find("is not a sea floor"),
             std::string::npos);
 }
 
@@ -484,7 +484,7 @@ TEST_P(NetcdfMissions, TakePackedMarksOfNoDataForLandAndNameTheComponent) {
   file.variables[4].texts["standard_name"] = "northward_wind";
   Write("sea/wind.nc", file);
   EXPECT_NE(ErrorOf("current = {grid_east = \"sea/wind.nc:uo\", grid_north = \"sea/wind.nc:vo\"}")
-                .find("is no current, as its standard_name is northward_wind"),
+                .find("is not a current: its standard_name is northward_wind"),
             std::string::npos);
 }
 

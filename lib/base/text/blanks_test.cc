@@ -14,4 +14,10 @@ TEST(Trimmed, LeavesNothingOfBlanksAlone) {
   EXPECT_EQ(Trimmed(""), "");
 }
 
+TEST(TrimmedParts, AreThoseBetweenSeparatorsWithoutTheirBlanks) {
+  EXPECT_EQ(TrimmedParts(" a, b c ,,d", ','), (std::vector<std::string_view>{"a", "b c", "", "d"}));
+  EXPECT_EQ(TrimmedParts("a,", ','), (std::vector<std::string_view>{"a", ""}));
+  EXPECT_EQ(TrimmedParts("", ','), std::vector<std::string_view>{""});
+}
+
 }  // namespace shoal::blanks_test

@@ -39,9 +39,9 @@ Eigen::Vector3d BeginningOf_m(const Vehicle& vehicle, size_t task) {
   return {vehicle.start.x_m, vehicle.start.y_m, vehicle.start.depth_m};
 }
 
-/// A way that takes longer than this many missions is no intention, even where nothing waits
+/// A way that takes longer than this many missions is a mistake, even where nothing waits
 /// for its end.
-constexpr double kNoIntention = 1.5;
+constexpr double kMistakenDuration = 1.5;
 
 /// Paths of underwater vehicles have their own (validate_paths.cc). A survey may well go on until
 /// the end of the mission.
@@ -57,7 +57,7 @@ void WarnOfTime(const Mission& mission, const TablePlace& table, const Vehicle& 
   if (!way || way->points_m.empty() || !(way->speed_mps > 0)) return;
   const double length_m = LengthFrom_m(BeginningOf_m(vehicle, task), *way);
   const double time_s = length_m / way->speed_mps;
-  if (time_s <= (must_end ? 1 : kNoIntention) * mission.duration_s) return;
+  if (time_s <= (must_end ? 1 : kMistakenDuration) * mission.duration_s) return;
   table.Warn(way->key,
              fmt::format("the way to the last point is {:.0f} m long and takes {:.0f} s at {:g} "
                          "m/s, but the mission ends after {:g} s: raise duration_s or speed_mps",

@@ -27,7 +27,7 @@ struct FloorStatement {
 /// does.
 [[nodiscard]] std::optional<FloorStatement> StatementOf(const NetcdfVariable& variable);
 
-/// Returns why a variable is no sea floor: its standard_name or its long_name is that of another
+/// Returns why a variable is not a sea floor: its standard_name or its long_name is that of another
 /// quantity, as the height of the sea's surface. Nothing: it may be one.
 [[nodiscard]] std::optional<std::string> OtherThanFloor(const NetcdfVariable& variable);
 

@@ -57,21 +57,10 @@ Eigen::Vector2d Turned(const Eigen::Vector2d& vector, double angle_deg) {
   return {vector.x() * cosine + vector.y() * sine, vector.y() * cosine - vector.x() * sine};
 }
 
-/// Returns the parts between separators, without blanks at their ends.
-std::vector<std::string_view> PartsOfText(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const size_t end = std::min(text.find(separator), text.size());
-    parts.push_back(Trimmed(text.substr(0, end)));
-    if (end == text.size()) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
 /// Returns the numbers; nothing where a part is none.
 std::optional<std::vector<double>> NumbersOf(std::string_view text, char separator) {
   std::vector<double> numbers;
-  for (const std::string_view part : PartsOfText(text, separator)) {
+  for (const std::string_view part : TrimmedParts(text, separator)) {
     const auto number = NumberIn(part);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
@@ -88,7 +77,7 @@ bool BeginsWithLetter(std::string_view text) {
 
 /// Reads "x,y" or "x,y,z"; with names too where `may_be_named`.
 std::optional<Eigen::Vector2d> ParsePair(std::string_view text, bool may_be_named, bool* has_z) {
-  std::vector<std::string_view> parts = PartsOfText(text, ',');
+  std::vector<std::string_view> parts = TrimmedParts(text, ',');
   if (parts.size() < 2) return std::nullopt;
   for (size_t i = 0; i < 2 && may_be_named; ++i) {
     if (parts[i].starts_with(i == 0 ? "x=" : "y=")) parts[i].remove_prefix(2);
@@ -103,7 +92,7 @@ std::optional<Eigen::Vector2d> ParsePair(std::string_view text, bool may_be_name
 Result<BhvPoints> ParseList(std::string_view whole, std::string_view text, bool may_be_named) {
   BhvPoints list;
   bool has_z = false;
-  for (const std::string_view part : PartsOfText(text, ':')) {
+  for (const std::string_view part : TrimmedParts(text, ':')) {
     if (const auto point_m = ParsePair(part, may_be_named, &has_z)) {
       list.points_m.push_back(*point_m);
     } else if (may_be_named || !BeginsWithLetter(part) || part.find(',') == part.npos ||
@@ -417,7 +406,7 @@ constexpr Form kForms[] = {
 /// "x,y,radius,pts,snap,label", as older files have a circle.
 Result<BhvPoints> ParseOldRadial(std::string_view whole, std::string_view text) {
   Values values;
-  const std::vector<std::string_view> parts = PartsOfText(text, ',');
+  const std::vector<std::string_view> parts = TrimmedParts(text, ',');
   constexpr std::string_view kKeys[] = {"x", "y", "radius", "pts", "snap", "label"};
   if (parts.size() < 4 || parts.size() > std::size(kKeys)) {
     return Wrong(whole, "not x, y, radius, pts, snap, label");

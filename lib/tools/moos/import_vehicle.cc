@@ -31,15 +31,13 @@ std::string_view StartKey(std::string_view moos_key) {
   return "";
 }
 
-std::vector<std::string_view> Split(std::string_view text, char separator);
-
 /// Reads uSimMarine's start_pos: each part counts by its name, or else by its place among all,
 /// named ones too. What it cannot read is 0; at a part that it refuses it stops. Returns what is
 /// wrong.
 std::string ReadStartPos(std::string_view text, std::map<std::string, double>* given) {
   std::string problem;
   size_t place = 0;
-  for (const std::string_view part : Split(text, ',')) {
+  for (const std::string_view part : TrimmedParts(text, ',')) {
     const size_t equals = part.find('=');
     const bool is_named = equals != part.npos;
     if (!is_named && place >= kStartOrder.size())
@@ -58,17 +56,6 @@ std::string ReadStartPos(std::string_view text, std::map<std::string, double>* g
     (*given)[name] = number.value_or(0);
   }
   return problem;
-}
-
-/// Returns the parts of `text` between separators, without blanks at their ends.
-std::vector<std::string_view> Split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const size_t end = std::min(text.find(separator), text.size());
-    parts.push_back(Trimmed(text.substr(0, end)));
-    if (end == text.size()) return parts;
-    text.remove_prefix(end + 1);
-  }
 }
 
 }  // namespace
@@ -299,7 +286,7 @@ bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line,
 
 bool VehicleImport::TakeThrustMap(const std::string& origin, const MoosLine& line) {
   std::map<double, double> speeds;
-  for (const std::string_view part : Split(line.value, ',')) {
+  for (const std::string_view part : TrimmedParts(line.value, ',')) {
     const size_t colon = part.find(':');
     if (colon == std::string_view::npos) return false;
     const auto thrust = NumberIn(part.substr(0, colon));
@@ -352,7 +339,7 @@ bool VehicleImport::TakeMaxSpeed(const std::string& origin, const MoosLine& line
 /// `Domain = speed:0:4:41` is what the helm decides about; the depths' last is also how deep a
 /// vehicle may go.
 bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line) {
-  const std::vector<std::string_view> parts = Split(line.value, ':');
+  const std::vector<std::string_view> parts = TrimmedParts(line.value, ':');
   if (parts.size() < 4) return false;
   const std::string name = LowerCase(parts[0]);
   const auto first = NumberIn(parts[1]);
@@ -428,7 +415,7 @@ void VehicleImport::SetThrustMap() {
 bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
                               const MoosLine& line) {
   if (key == "drift_vector") {
-    const auto parts = Split(line.value, ',');
+    const auto parts = TrimmedParts(line.value, ',');
     if (parts.size() != 2) return false;
     const auto angle_deg = NumberIn(parts[0]);
     const auto speed_mps = NumberIn(parts[1]);

@@ -103,4 +103,26 @@ RC_GTEST_PROP(LaunchScript, AcceptsAnyText, ()) {
   Plan(text, {{"a.moos", text}});
 }
 
+std::string Repeated(const std::string& text, int count) {
+  std::string all;
+  for (int i = 0; i < count; ++i) all += text;
+  return all;
+}
+
+/// Each took the whole stack, or minutes.
+TEST(LaunchScript, ThatNestsOrRepeatsWithoutEndIsCutOffWithANote) {
+  EXPECT_NE(Plan("X=" + Repeated("${X:-", 20'000)).find("within one another"), std::string::npos);
+  EXPECT_NE(Plan("X=" + Repeated("$((", 20'000)).find("within one another"), std::string::npos);
+  EXPECT_NE(Plan("X=" + Repeated("$(echo ", 20'000)).find("within one another"), std::string::npos);
+  EXPECT_NE(Plan(Repeated("if [ a ]; then\n", 20'000) + Repeated("fi\n", 20'000))
+                .find("more than 50 deep"),
+            std::string::npos);
+  EXPECT_NE(Plan(Repeated("A=1\n", 60'000)).find("too long a script"), std::string::npos);
+  EXPECT_NE(Plan("X=" + std::string(90'000, 'a') + "\nY=${X##*b}\nZ=${X%%b*}\nA=1\n")
+                .find("too long a script"),
+            std::string::npos);
+  EXPECT_EQ(Plan("for i in $(seq 1e17 1e18); do A=$i; done\nnsplug m.moos t.moos A=1\n"),
+            "m.moos > t.moos A=1\n");
+}
+
 }  // namespace shoal::launch_script_test
