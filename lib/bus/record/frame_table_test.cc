@@ -231,6 +231,20 @@ TEST_F(CompressedLog, OfNothingIsALogWithoutEvents) {
   EXPECT_TRUE(read.events.empty());
 }
 
+TEST_F(CompressedLog, CountsEachEventOnceWhereTheDiskIsFullInTheMiddle) {
+  std::filesystem::create_symlink("/dev/full", Path("full.zst"));
+  Result<LogWriter> writer = LogWriter::Create(Path("full.zst"));
+  ASSERT_TRUE(writer.ok());
+  for (const Event& event : Events()) {
+    writer->Append(event.utime, event.channel, event.data);
+    (void)writer->Flush();
+  }
+  EXPECT_TRUE(writer->Close());
+  EXPECT_EQ(writer->counters().events, 0);
+  EXPECT_EQ(writer->counters().bytes, 0);
+  EXPECT_EQ(writer->counters().dropped, kNumEvents);
+}
+
 TEST_F(CompressedLog, OnAFullDiskStatesItAndCountsWhatIsDropped) {
   std::filesystem::create_symlink("/dev/full", Path("full.zst"));
   Result<LogWriter> compressed = LogWriter::Create(Path("full.zst"));

@@ -148,6 +148,8 @@ std::optional<Error> LogWriter::Close() {
 Error LogWriter::Fail(int error_number) {
   // Leaves whole events; where even that fails (such as on a device), readers find the cut.
   if (file_.is_open()) (void)!::ftruncate(file_.get(), flushed_bytes_);
+  // What still waits is dropped, too, and counted then.
+  if (frames_) (void)frames_->Close();
   FrameWriter::Dropped dropped = frames_ ? frames_->dropped() : FrameWriter::Dropped();
   dropped.events += pending_events_;
   dropped.bytes += static_cast<int64_t>(pending_.size());

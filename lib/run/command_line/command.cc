@@ -13,6 +13,16 @@
 
 namespace shoal {
 
+namespace {
+
+/// What a callback finds wrong, in words of its own.
+struct CheckError : CLI::ParseError {
+  explicit CheckError(const std::string& text)
+      : CLI::ParseError("CheckError", text, CLI::ExitCodes::ValidationError) {}
+};
+
+}  // namespace
+
 Option Option::Required() const { return Option(option_->required()); }
 
 Option Option::Needs(Option other) const { return Option(option_->needs(other.option_)); }
@@ -114,7 +124,7 @@ void Command::Callback(std::function<void()> chosen) const {
 void Command::CheckedCallback(std::function<std::string()> chosen) const {
   command_->callback([chosen = std::move(chosen)] {
     const std::string error = chosen();
-    if (!error.empty()) throw CLI::ValidationError(error, CLI::ExitCodes::ValidationError);
+    if (!error.empty()) throw CheckError(error);
   });
 }
 
@@ -238,8 +248,12 @@ std::optional<int> Program::Parse(const std::vector<std::string>& words) {
       return PrintUsageError(named, UnknownOptionText(*option, *owned_, *named.command));
     }
     return PrintUsageError(named, error.what());
-  } catch (const CLI::ParseError& error) {
+  } catch (const CheckError& error) {
     return owned_->exit(error) == 0 ? kExitOk : kExitUsage;
+  } catch (const CLI::ParseError& error) {
+    // Help and version come this way, too.
+    if (error.get_exit_code() == 0) return owned_->exit(error) == 0 ? kExitOk : kExitUsage;
+    return PrintUsageError(NamedBy(*owned_), error.what());
   }
   return std::nullopt;
 }

@@ -110,7 +110,10 @@ TEST_F(Command_, HoldsWhatAnOptionNeedsAndExcludes) {
   const Option page = program_.AddFlag("--page", &has_page, "A page");
   program_.AddFlag("--commands", &may_command, "It may command").Needs(page);
   program_.AddFlag("--quiet", &is_quiet, "No text").Excludes(page);
+  ::testing::internal::CaptureStderr();
   EXPECT_EQ(program_.Parse({"--commands"}), kExitUsage);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "sounder: --commands requires --page; `sounder --help` lists what it takes\n");
   EXPECT_EQ(program_.Parse({"--commands", "--page"}), std::nullopt);
   EXPECT_EQ(program_.Parse({"--quiet", "--page"}), kExitUsage);
   EXPECT_EQ(program_.Parse({"--quiet"}), std::nullopt);
