@@ -5,313 +5,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <optional>
 #include <variant>
 
-#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/random/stream.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
-#include "lib/bus/bus/channels.h"
-#include "lib/comms/routing/control.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/run/moos_text/fields.h"
-#include "lib/run/moos_text/node_message_text.h"
 #include "lib/run/moos_text/numbers.h"
-#include "lib/tools/moos/import_vehicle.h"
+#include "lib/tools/moos/timer_draws.h"
+#include "lib/tools/moos/timer_events.h"
 
 namespace shoal {
 namespace {
-
-using Keys = std::vector<std::pair<std::string, std::string>>;
-
-/// Keys of an [[event]], or the reason why there are none.
-using Converted = std::variant<Keys, std::string>;
-
-constexpr std::pair<std::string_view, std::string_view> kCommands[] = {
-    {"DEPLOY", "deploy"}, {"RETURN", "return"}, {"STATION_KEEP", "station_keep"}};
 
 bool IsOverride(std::string_view variable) {
   return variable.starts_with("MOOS_MANUAL_OVERIDE") ||
          variable.starts_with("MOOS_MANUAL_OVERRIDE");
 }
-
-constexpr std::string_view kOnlyDraws = "only draws: the viewer has a way of its own";
-
-bool HasMacro(std::string_view text) {
-  return text.find("$[") != text.npos || text.find("$(") != text.npos ||
-         text.find("%(") != text.npos || text.find("${") != text.npos;
-}
-
-/// "10", or "10:20".
-struct TimeRange {
-  double low_s = 0;
-  double high_s = 0;
-};
-
-std::optional<TimeRange> ParseTime(std::string_view text) {
-  const size_t colon = text.find(':');
-  const auto low = NumberIn(text.substr(0, colon));
-  const auto high = colon == text.npos ? low : NumberIn(text.substr(colon + 1));
-  if (!low || !high || *low < 0 || *high < *low) return std::nullopt;
-  return TimeRange{*low, *high};
-}
-
-/// Draws as uTimerScript does, in 10,000 steps.
-double DrawUniform(double low, double high, Stream* stream) {
-  constexpr uint64_t kSteps = 10'000;
-  return low + (high - low) * static_cast<double>(stream->UniformInt(kSteps)) / kSteps;
-}
-
-double DrawTime(const TimeRange& range, Stream* stream) {
-  return range.low_s == range.high_s ? range.low_s : DrawUniform(range.low_s, range.high_s, stream);
-}
-
-/// Drops what sums leave behind the sixth place.
-double TimerRounded(double value) { return std::round(value * 1e6) / 1e6 + 0.0; }
-
-/// randvar = varname=X, min=0, max=9, snap=1, key=at_reset
-struct RandomVariable {
-  std::string name;
-  double min = 0;
-  double max = 1;
-  double snap = 0.001;
-  double mu = 0;
-  double sigma = 1;
-  bool is_gaussian = false;
-  std::string key;  ///< at_start, at_reset or at_post: when it is drawn.
-  double value = 0;
-};
-
-std::optional<RandomVariable> ParseRandomVariable(std::string_view text) {
-  const auto fields = ParseFields(text);
-  if (!fields.ok()) return std::nullopt;
-  RandomVariable variable;
-  for (const MoosField& field : *fields) {
-    const std::string key = LowerCase(field.key.substr(0, 16));
-    const auto number = NumberIn(field.value);
-    if (key == "varname") {
-      variable.name = field.value;
-    } else if (key == "key") {
-      variable.key = LowerCase(field.value);
-    } else if (key == "type") {
-      variable.is_gaussian = LowerCase(field.value) == "gaussian";
-    } else if (!number) {
-      return std::nullopt;
-    } else if (key == "min") {
-      variable.min = *number;
-    } else if (key == "max") {
-      variable.max = *number;
-    } else if (key == "snap") {
-      variable.snap = *number;
-    } else if (key == "mu") {
-      variable.mu = *number;
-    } else if (key == "sigma") {
-      variable.sigma = *number;
-    } else {
-      return std::nullopt;
-    }
-  }
-  const bool is_drawn =
-      variable.key == "at_start" || variable.key == "at_reset" || variable.key == "at_post";
-  if (variable.name.empty() || !is_drawn || !(variable.min <= variable.max)) return std::nullopt;
-  return variable;
-}
-
-void Draw(RandomVariable* variable, Stream* stream) {
-  double value = variable->is_gaussian ? variable->mu + variable->sigma * stream->Normal()
-                                       : DrawUniform(variable->min, variable->max, stream);
-  if (variable->snap > 0) value = std::round(value / variable->snap) * variable->snap;
-  if (variable->is_gaussian) value = std::clamp(value, variable->min, variable->max);
-  variable->value = TimerRounded(value);
-}
-
-/// Computes {a+b}, the innermost pair of braces first, of two numbers each; any other text stays.
-std::string WithSums(std::string text) {
-  constexpr int kMostPairs = 100;
-  for (int i = 0; i < kMostPairs; ++i) {
-    const size_t close = text.find('}');
-    const size_t open = close == text.npos ? text.npos : text.rfind('{', close);
-    if (open == text.npos || text.find('{', close) != text.npos) return text;
-    const std::string inner = text.substr(open + 1, close - open - 1);
-    std::optional<double> result;
-    for (const char sign : std::string_view("*/+-")) {
-      const size_t at = inner.find(sign, 1);
-      if (at == inner.npos) continue;
-      const auto left = NumberIn(std::string_view(inner).substr(0, at));
-      const auto right = NumberIn(std::string_view(inner).substr(at + 1));
-      if (!left || !right) continue;
-      result = sign == '*' ? *left * *right : sign == '+' ? *left + *right : *left - *right;
-      if (sign == '/') result = *left / *right;
-      break;
-    }
-    if (!result || !std::isfinite(*result)) return text;
-    text.replace(open, close - open + 1, TomlNumber(TimerRounded(*result)));
-  }
-  return text;
-}
-
-void Replace(std::string* text, const std::string& macro, const std::string& value) {
-  for (const std::string& form : {"$[" + macro + "]", "$(" + macro + ")"}) {
-    for (size_t at = text->find(form); at != text->npos; at = text->find(form, at + value.size())) {
-      text->replace(at, form.size(), value);
-    }
-  }
-}
-
-class EventConverter {
- public:
-  EventConverter(std::string_view vehicle, std::span<const std::string> vehicles,
-                 const HasMoosVariable& has_variable, const FindMoosBridge& find_bridge)
-      : vehicle_(vehicle),
-        vehicles_(vehicles),
-        has_variable_(has_variable),
-        find_bridge_(find_bridge) {}
-
-  Converted Convert(const std::string& posted, const std::string& value) const {
-    if (posted.starts_with("VIEW_")) return std::string(kOnlyDraws);
-    const bool may_be_bridged = vehicle_.empty() && find_bridge_ != nullptr;
-    const std::string bridged = may_be_bridged ? find_bridge_(posted) : "";
-    const std::string& variable = bridged.empty() ? posted : bridged;
-    for (const auto& [name, command] : kCommands) {
-      if (LowerCase(value) != "true" && IsVariable(variable, name)) break;
-      if (const auto target = TargetOf(variable, name)) return CommandOf(*target, command, value);
-    }
-    for (const std::string_view name : {"MOOS_MANUAL_OVERIDE", "MOOS_MANUAL_OVERRIDE"}) {
-      if (const auto target = TargetOf(variable, name)) return CommandOf(*target, "park", value);
-    }
-    if (const auto target = TargetOf(variable, "DRIFT_VECTOR")) return DriftOf(*target, value);
-    if (const ControlRow* row = FindControlOnChannel(variable)) return RuleOf(*row, value);
-    const bool is_mediated = variable.starts_with(topics::kMediatedMessage);
-    if (is_mediated || variable == topics::kNodeMessageLocal || variable == topics::kNodeMessage) {
-      return MessageOf(is_mediated, value);
-    }
-    return SettingOf(variable, value);
-  }
-
- private:
-  bool HasVariable(std::string_view vehicle, std::string_view variable) const {
-    return has_variable_ != nullptr && has_variable_(vehicle, variable);
-  }
-
-  bool AnyHasVariable(std::string_view variable) const {
-    return std::any_of(vehicles_.begin(), vehicles_.end(),
-                       [&](const std::string& vehicle) { return HasVariable(vehicle, variable); });
-  }
-
-  /// Returns true where `posted` sets the variable `name` of behaviors.
-  bool IsVariable(std::string_view posted, std::string_view name) const {
-    const auto target = TargetOf(posted, name);
-    return target && (*target == "all" ? AnyHasVariable(name) : HasVariable(*target, name));
-  }
-
-  /// A variable of behaviors: of the vehicle's own file, or with _ALL or _ABE of the shore's.
-  Converted SettingOf(std::string_view posted, const std::string& value) const {
-    std::string_view name = posted;
-    if (vehicle_.empty() || !HasVariable(vehicle_, name)) {
-      name = posted.substr(0, std::min(posted.rfind('_'), posted.size()));
-    }
-    while (!name.empty() && !IsVariable(posted, name)) {
-      const size_t end = name.rfind('_');  // A vehicle's name may hold '_'.
-      name = name.substr(0, end == name.npos ? 0 : end);
-    }
-    if (name.empty()) return "no counterpart in shoal";
-    return Keys{{"vehicle", TomlString(*TargetOf(posted, name))},
-                {"command", TomlString("set")},
-                {"argument", TomlString(fmt::format("{}={}", name, value))}};
-  }
-
-  /// Returns the vehicle that `variable` is for: DEPLOY of its own file, DEPLOY_ALL and DEPLOY_ABE
-  /// of the shore's.
-  std::optional<std::string> TargetOf(std::string_view variable, std::string_view name) const {
-    if (!variable.starts_with(name)) return std::nullopt;
-    const std::string_view suffix = variable.substr(name.size());
-    if (suffix.empty()) {
-      return vehicle_.empty() ? std::nullopt : std::optional<std::string>(vehicle_);
-    }
-    if (!suffix.starts_with('_')) return std::nullopt;
-    const std::string wanted = LowerCase(suffix.substr(1));
-    if (wanted == "all") return "all";
-    for (const std::string& each : vehicles_) {
-      if (LowerCase(each) == wanted) return each;
-    }
-    return std::nullopt;
-  }
-
-  static Converted CommandOf(const std::string& vehicle, std::string_view command,
-                             const std::string& value) {
-    if (LowerCase(value) != "true") {
-      return "only true has a counterpart; deploy, park and station_keep are commands here";
-    }
-    return Keys{{"vehicle", TomlString(vehicle)}, {"command", TomlString(command)}};
-  }
-
-  static Converted DriftOf(const std::string& vehicle, std::string_view value) {
-    constexpr char kNoDrift[] = "not a vehicle's ANGLE,SPEED";
-    const size_t comma = value.find(',');
-    const auto angle_deg = NumberIn(value.substr(0, comma));
-    if (vehicle == "all" || !angle_deg || comma == value.npos) return kNoDrift;
-    const auto speed_mps = NumberIn(value.substr(comma + 1));
-    if (!speed_mps) return kNoDrift;
-    const double angle_rad = *angle_deg * std::numbers::pi / 180;
-    const auto rounded = [](double number) { return std::round(number * 1e9) / 1e9 + 0.0; };
-    return Keys{{"vehicle", TomlString(vehicle)},
-                {"sim_command", TomlString("drift")},
-                {"values", fmt::format("[{}, {}]", TomlNumber(rounded(*speed_mps * Sin(angle_rad))),
-                                       TomlNumber(rounded(*speed_mps * Cos(angle_rad))))}};
-  }
-
-  static Converted RuleOf(const ControlRow& row, const std::string& value) {
-    Keys keys = {{"rule", TomlString(row.rule)}};
-    std::string word = value;
-    if (row.type == ControlType::kRequest) {
-      keys.emplace_back("vehicle", TomlString(value));
-      return keys;
-    }
-    if (row.of_vehicle) {
-      const auto factor =
-          ParseLinkFactor({.text = "", .key = std::string(row.rule), .value = value});
-      if (!factor) return fmt::format("not vname=NAME, {}=NUMBER", row.rule);
-      keys.emplace_back("vehicle", TomlString(factor->vehicle));
-      keys.emplace_back("value", factor->value);
-      return keys;
-    }
-    const auto number = NumberIn(value);
-    const std::string lower = LowerCase(value);
-    if (number) word = TomlNumber(*number);
-    if (!number) word = lower == "true" || lower == "false" ? lower : TomlString(value);
-    keys.emplace_back("value", word);
-    return keys;
-  }
-
-  static Converted MessageOf(bool is_mediated, std::string_view value) {
-    const Result<MoosNodeMessage> message = ParseNodeMessage(value);
-    if (!message.ok()) return message.error();
-    std::string text;
-    const auto add = [&](std::string_view key, const std::string& written) {
-      text += fmt::format("{}{} = {}", text.empty() ? "" : ", ", key, written);
-    };
-    add("src_node", TomlString(message->src_node));
-    if (!message->dest_node.empty()) add("dest_node", TomlString(message->dest_node));
-    if (!message->dest_group.empty()) add("dest_group", TomlString(message->dest_group));
-    add("var_name", TomlString(message->var_name));
-    if (message->double_val) {
-      add("double_val", TomlNumber(*message->double_val));
-    } else {
-      add("string_val", TomlString(message->string_val));
-    }
-    if (message->ack || is_mediated) add("ack", "true");
-    return Keys{{"message", "{" + text + "}"}};
-  }
-
-  std::string_view vehicle_;
-  std::span<const std::string> vehicles_;
-  const HasMoosVariable& has_variable_;
-  const FindMoosBridge& find_bridge_;
-};
 
 /// A line `event = ...`.
 struct EventLine {
@@ -349,7 +63,7 @@ EventLine ReadEventLine(const MoosLine& line) {
   }
   for (const MoosField& field : *fields) {
     const std::string key = LowerCase(field.key.substr(0, 16));
-    const auto time = key == "time" ? ParseTime(field.value) : std::nullopt;
+    const auto time = key == "time" ? ParseTimeRange(field.value) : std::nullopt;
     const double amount = key == "amt" ? NumberIn(field.value).value_or(-1) : -1;
     if (key == "var") {
       event.variable = field.value;
@@ -396,7 +110,7 @@ Script ReadScript(const MoosBlock& block, TimerScript* result) {
   for (const MoosLine& line : block.lines) {
     const std::string key = LowerCase(line.key);
     const std::string value = LowerCase(line.value.substr(0, 32));
-    const auto time = ParseTime(value);
+    const auto time = ParseTimeRange(value);
     if (key == "event") {
       script.events.push_back(ReadEventLine(line));
       script.events.back().first_index = index;
@@ -447,10 +161,13 @@ Script ReadScript(const MoosBlock& block, TimerScript* result) {
 
 class ScriptRun {
  public:
-  ScriptRun(const Script& script, std::string_view vehicle, const EventConverter& converter)
+  using Convert =
+      std::function<ConvertedEvent(const std::string& posted, const std::string& value)>;
+
+  ScriptRun(const Script& script, std::string_view vehicle, const Convert& convert)
       : script_(script),
         vehicle_(vehicle),
-        converter_(converter),
+        convert_(convert),
         variables_(script.variables),
         stream_(1, "uTimerScript", vehicle) {}
 
@@ -519,7 +236,7 @@ class ScriptRun {
       event.at_s = TimerRounded(begin_s + clock_s / warp);
       event.reason = post.event->problem;
       event.is_needless = post.event->is_needless;
-      if (event.reason.empty()) Convert(post, count, &event);
+      if (event.reason.empty()) AddEvent(post, count, &event);
       if (post.event->problem.empty()) {
         ++count;
         ++total_;
@@ -529,7 +246,7 @@ class ScriptRun {
     return last_s;
   }
 
-  void Convert(const Post& post, int count, TimerEvent* event) {
+  void AddEvent(const Post& post, int count, TimerEvent* event) {
     std::string value = post.event->value;
     std::string variable = post.event->variable;
     bool is_drawn = post.event->time.low_s != post.event->time.high_s;
@@ -540,29 +257,29 @@ class ScriptRun {
         continue;
       }
       if (random.key == "at_post") Draw(&random, &stream_);
-      Replace(&value, random.name, TomlNumber(random.value));
+      ReplaceTimerMacro(&value, random.name, TomlNumber(random.value));
       is_drawn = true;
     }
-    Replace(&value, "COUNT", std::to_string(count));
-    Replace(&value, "TCOUNT", std::to_string(total_));
-    Replace(&value, "IDX", fmt::format("{:03}", post.index));
-    Replace(&value, "VNAME", vehicle_.empty() ? "shoreside" : std::string(vehicle_));
+    ReplaceTimerMacro(&value, "COUNT", std::to_string(count));
+    ReplaceTimerMacro(&value, "TCOUNT", std::to_string(total_));
+    ReplaceTimerMacro(&value, "IDX", fmt::format("{:03}", post.index));
+    ReplaceTimerMacro(&value, "VNAME", vehicle_.empty() ? "shoreside" : std::string(vehicle_));
     uint64_t limit = 1;
     for (int digits = 1; digits <= 9; ++digits) {
       limit *= 10;
       const std::string macro = std::to_string(digits);
       if (value.find("$(" + macro + ")") == value.npos) continue;
-      Replace(&value, macro, std::to_string(stream_.UniformInt(limit)));
+      ReplaceTimerMacro(&value, macro, std::to_string(stream_.UniformInt(limit)));
       is_drawn = true;
     }
-    if (value != plain || value.starts_with('{')) value = WithSums(std::move(value));
-    if (HasMacro(value) || HasMacro(variable)) {
+    if (value != plain || value.starts_with('{')) value = WithTimerSums(std::move(value));
+    if (HasTimerMacro(value) || HasTimerMacro(variable)) {
       event->reason = "holds a macro, which has no value here: write an [[event]] by hand";
       return;
     }
     if (is_drawn) event->assumed = "drawn as uTimerScript draws it, once for all runs";
-    Converted converted = converter_.Convert(variable, value);
-    if (auto* keys = std::get_if<Keys>(&converted)) {
+    ConvertedEvent converted = convert_(variable, value);
+    if (auto* keys = std::get_if<EventKeys>(&converted)) {
       event->keys = std::move(*keys);
     } else {
       event->reason = std::get<std::string>(converted);
@@ -572,7 +289,7 @@ class ScriptRun {
 
   const Script& script_;
   std::string_view vehicle_;
-  const EventConverter& converter_;
+  const Convert& convert_;
   std::vector<RandomVariable> variables_;
   Stream stream_;
   std::vector<Post> posts_;
@@ -585,10 +302,12 @@ TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
                             std::span<const std::string> vehicles,
                             const HasMoosVariable& has_variable,
                             const FindMoosBridge& find_bridge) {
-  const EventConverter converter(vehicle, vehicles, has_variable, find_bridge);
+  const auto convert = [&](const std::string& posted, const std::string& value) {
+    return ConvertEvent(posted, value, vehicle, vehicles, has_variable, find_bridge);
+  };
   TimerScript result;
   const Script script = ReadScript(block, &result);
-  ScriptRun(script, vehicle, converter).Run(&result);
+  ScriptRun(script, vehicle, convert).Run(&result);
   for (TimerEvent& event : result.events) {
     if (!script.is_paused || event.keys.empty()) continue;
     event.keys.clear();
