@@ -35,7 +35,7 @@ constexpr uint8_t kReadsThese = ':';
 }  // namespace
 
 MissionPart::MissionPart(const Mission& mission, const Placement& placement, size_t part,
-                         const std::string& log_path)
+                         const std::string& log_path, const ChannelChoice& log_channels)
     : mission_(mission),
       placement_(placement),
       part_(part),
@@ -45,8 +45,10 @@ MissionPart::MissionPart(const Mission& mission, const Placement& placement, siz
   // The same order in all parts: it numbers the participants.
   if (!log_path.empty()) {
     if (Bus* bus = Join("recorder", 0)) {
-      Add(bus, std::make_unique<RecorderApp>(
-                   RecorderOptions{.path = log_path, .start_utime = mission.start_utime}, *bus));
+      Add(bus, std::make_unique<RecorderApp>(RecorderOptions{.path = log_path,
+                                                             .start_utime = mission.start_utime,
+                                                             .channels = log_channels},
+                                             *bus));
     }
   }
   for (const RosterEntry& entry : MakeRoster(mission, false)) {

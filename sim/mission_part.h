@@ -29,6 +29,7 @@
 #include <vector>
 
 #include "lib/bus/bus/memory_bus.h"
+#include "lib/bus/record/channel_choice.h"
 #include "lib/mission/model/mission.h"
 #include "lib/run/run/app.h"
 #include "lib/run/run/roster.h"
@@ -48,7 +49,7 @@ class MissionPart {
   /// `log_path` empty: no log; the same in all parts. Look at Fault() after this.
   /// @pre CanRunInOneProcess(mission); part < placement.num_parts
   MissionPart(const Mission& mission, const Placement& placement, size_t part,
-              const std::string& log_path);
+              const std::string& log_path, const ChannelChoice& log_channels = {});
   ~MissionPart();
   MissionPart(const MissionPart&) = delete;
   MissionPart& operator=(const MissionPart&) = delete;

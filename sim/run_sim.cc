@@ -10,6 +10,7 @@
 
 #include "lib/mission/file/drawn_seed.h"
 #include "lib/mission/file/print_errors.h"
+#include "lib/run/run/log_plan.h"
 #include "lib/run/run/run_app.h"
 #include "sim/director_app.h"
 #include "sim/sim_ending.h"
@@ -80,7 +81,11 @@ int RunSim(const SimOptions& options) {
   signal(SIGINT, [](int) { interrupted = true; });
   signal(SIGTERM, [](int) { interrupted = true; });
 
-  Simulation simulation(mission, options.log_path);
+  if (!options.log_path.empty()) {
+    const LogPlan plan = PlanLog(mission, options.log_channels, options.log_path);
+    for (const std::string& warning : plan.warnings) fmt::print(stderr, "shoal: {}\n", warning);
+  }
+  Simulation simulation(mission, options.log_path, options.log_channels);
   std::string fault = simulation.Fault();
   if (!fault.empty()) {
     fmt::print(stderr, "shoal: {}\n", fault);

@@ -5,13 +5,16 @@
 #include <string>
 #include <vector>
 
+#include "lib/bus/record/channel_choice.h"
+
 namespace shoal {
 
 struct SimOptions {
   std::string mission_file;
   std::vector<std::string> overrides;
   std::string log_path;  ///< Empty: no log.
-  bool quiet = false;    ///< No progress line.
+  ChannelChoice log_channels = {};
+  bool quiet = false;  ///< No progress line.
 };
 
 /// Returns the exit code.

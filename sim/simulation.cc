@@ -12,16 +12,17 @@
 namespace shoal {
 
 struct Simulation::State {
-  State(const Mission& from, const std::string& log_path)
-      : mission(from), part(mission, OnePart(mission), 0, log_path) {}
+  State(const Mission& from, const std::string& log_path, const ChannelChoice& log_channels)
+      : mission(from), part(mission, OnePart(mission), 0, log_path, log_channels) {}
 
   const Mission mission;
   MissionPart part;
   bool has_ended = false;
 };
 
-Simulation::Simulation(const Mission& mission, const std::string& log_path)
-    : state_(std::make_unique<State>(mission, log_path)) {}
+Simulation::Simulation(const Mission& mission, const std::string& log_path,
+                       const ChannelChoice& log_channels)
+    : state_(std::make_unique<State>(mission, log_path, log_channels)) {}
 
 Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
@@ -33,7 +34,7 @@ Result<Simulation> Simulation::Open(const SimulationOptions& options) {
   const LoadedMission loaded = LoadMissionToRun(options.mission_file, DrawSeed, &overrides);
   if (!loaded.errors.empty()) return Error{fmt::format("{}", fmt::join(loaded.errors, "\n"))};
   if (const auto can = CanRunInOneProcess(loaded.mission); !can.ok()) return Error{can.error()};
-  Simulation simulation(loaded.mission, options.log_path);
+  Simulation simulation(loaded.mission, options.log_path, options.log_channels);
   if (const std::string fault = simulation.Fault(); !fault.empty()) return Error{fault};
   return simulation;
 }

@@ -16,6 +16,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
+#include "lib/bus/record/channel_choice.h"
 
 namespace shoal {
 
@@ -27,6 +28,7 @@ struct SimulationOptions {
   std::vector<std::string> overrides = {};  ///< As --set takes them: "comms.comms_range=100".
   std::optional<uint64_t> seed = {};        ///< Absent: the mission file's.
   std::string log_path = {};                ///< Empty: no log.
+  ChannelChoice log_channels = {};          ///< What the log takes.
 };
 
 class Simulation {
@@ -37,7 +39,8 @@ class Simulation {
 
   /// `log_path` empty: no log; look at Fault() after this.
   /// @pre CanRunInOneProcess(mission)
-  Simulation(const Mission& mission, const std::string& log_path);
+  Simulation(const Mission& mission, const std::string& log_path,
+             const ChannelChoice& log_channels = {});
   ~Simulation();
   Simulation(Simulation&&) noexcept;
   Simulation& operator=(Simulation&&) noexcept;

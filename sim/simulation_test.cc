@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lib/mission/file/load.h"
+#include "lib/run/run/log_plan.h"
 
 namespace shoal::simulation_test {
 
@@ -51,6 +52,23 @@ TEST(Simulation, TakesEveryStepFromTheFirstToTheLast) {
   while (simulation.Step()) ++steps;
   EXPECT_EQ(steps, 301);
   EXPECT_FALSE(simulation.Step());
+}
+
+TEST(Simulation, WritesALogOfAboutTheSizeThatIsExpected) {
+  const Mission mission = Load(kTwoVessels);
+  const std::string path = ::testing::TempDir() + "simulation_test_size.lcm";
+  for (const ChannelChoice& choice :
+       {ChannelChoice{}, ChannelChoice{.only = {"NAV_*"}}, ChannelChoice{.without = {"NAV_*"}}}) {
+    Simulation simulation(mission, path, choice);
+    while (simulation.Step()) {
+    }
+    simulation.End();
+    const auto size = static_cast<double>(std::filesystem::file_size(path));
+    const double expected = EstimateLog_bytes(mission, choice);
+    EXPECT_LT(expected, 1.5 * size);
+    EXPECT_GT(expected, size / 1.5);
+  }
+  std::filesystem::remove(path);
 }
 
 TEST(Simulation, LetsVesselsReceiveReportsOnlyWithinRange) {

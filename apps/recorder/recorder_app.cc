@@ -27,7 +27,8 @@ RecorderApp::RecorderApp(const RecorderOptions& options, Bus& bus)
 RecorderApp::ChannelCount& RecorderApp::CountOf(std::string_view channel) {
   const auto found = channels_.find(channel);
   if (found != channels_.end()) return found->second;
-  const bool is_logged = channel != kLcmSelfTest && (options_.log_all || IsLogged(channel));
+  const bool is_logged = channel != kLcmSelfTest && (options_.log_all || IsLogged(channel)) &&
+                         options_.channels.Takes(channel);
   return channels_.emplace(std::string(channel), ChannelCount{.is_logged = is_logged})
       .first->second;
 }

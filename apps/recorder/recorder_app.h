@@ -13,6 +13,7 @@
 #include <string_view>
 
 #include "lib/bus/bus/bus.h"
+#include "lib/bus/record/channel_choice.h"
 #include "lib/bus/record/log_writer.h"
 #include "lib/run/run/app.h"
 
@@ -20,8 +21,9 @@ namespace shoal {
 
 struct RecorderOptions {
   std::string path;
-  int64_t start_utime = 0;  ///< Mission time of the first step.
-  bool log_all = false;     ///< Also channels that IsLogged() leaves out of a mission's log.
+  int64_t start_utime = 0;      ///< Mission time of the first step.
+  ChannelChoice channels = {};  ///< Of what IsLogged() takes.
+  bool log_all = false;         ///< Also channels that IsLogged() leaves out of a mission's log.
 };
 
 class RecorderApp : public App {

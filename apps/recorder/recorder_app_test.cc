@@ -90,6 +90,15 @@ TEST_F(RecorderTest, LogsEverythingButLcmsSelfTestWhereAsked) {
   EXPECT_EQ(Log(), "0 1000 APPCAST 1\n1 1000 MINE 1\n");
 }
 
+TEST_F(RecorderTest, LogsTheChannelsThatWereChosen) {
+  RecorderOptions options = Options();
+  options.channels = {.only = {"A*", "APPCAST"}, .without = {"AB"}};
+  RecorderApp recorder(options, recorder_bus_);
+  for (const char* channel : {"A", "AB", "AC", "APPCAST", "B"}) Publish(channel);
+  Step(&recorder, 2000);
+  EXPECT_EQ(Log(), "0 1000 A 1\n1 1000 AC 1\n");
+}
+
 TEST_F(RecorderTest, ShowsPathAndCountsPerChannel) {
   RecorderApp recorder(Options(), recorder_bus_);
   Publish("A");

@@ -16,10 +16,12 @@ const shoal::AppInfo kInfo = {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return shoal::RunMissionApp(
-      kInfo, argc, argv, [](const auto& mission, auto& bus, const auto& options) {
-        return std::make_unique<shoal::RecorderApp>(
-            shoal::RecorderOptions{.path = options.log_path, .start_utime = mission.start_utime},
-            bus);
-      });
+  return shoal::RunMissionApp(kInfo, argc, argv,
+                              [](const auto& mission, auto& bus, const auto& options) {
+                                return std::make_unique<shoal::RecorderApp>(
+                                    shoal::RecorderOptions{.path = options.log_path,
+                                                           .start_utime = mission.start_utime,
+                                                           .channels = options.log_channels},
+                                    bus);
+                              });
 }

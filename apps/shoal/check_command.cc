@@ -12,6 +12,7 @@
 #include "lib/mission/file/path_text.h"
 #include "lib/mission/file/print_errors.h"
 #include "lib/run/launch/launch_plan.h"
+#include "lib/run/run/log_plan.h"
 #include "lib/run/run/roster.h"
 
 namespace shoal {
@@ -57,6 +58,13 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
              mission.duration_s, Counted(static_cast<size_t>(mission.LastStep() + 1), "step"),
              Counted(mission.events.size(), "event"),
              Counted(mission.expectations.size(), "expectation"));
+  const double log_bytes = EstimateLog_bytes(mission);
+  fmt::print("log: about {}, {} compressed{}\n", BytesText(log_bytes),
+             BytesText(log_bytes * kCompressedShare),
+             log_bytes > kPlainLog_bytes ? ", as --record makes it" : "");
+  for (const std::string& warning : PlanLog(mission, {}, ".").warnings) {
+    fmt::print(stderr, "{}: warning: {}\n", mission_file, warning);
+  }
   for (const Vehicle& vehicle : mission.vehicles) {
     for (const Task& task : vehicle.tasks) {
       const auto* path = std::get_if<PathFollowTask>(&task.what);

@@ -26,6 +26,8 @@
 #include "lib/run/launch/launcher.h"
 #include "lib/run/launch/run_viewer.h"
 #include "lib/run/orders/order_words.h"
+#include "lib/run/run/app_options.h"
+#include "lib/run/run/log_plan.h"
 #include "sim/app_factory.h"
 #include "sim/run_sim.h"
 
@@ -111,6 +113,8 @@ void AddRun(Command shoal, CommandAction* action) {
     std::string layout;
     std::string grouping = "app";
     std::vector<std::string> on;
+    bool compress = false;
+    bool plain = false;
     bool view = false;
     ViewOptions view_options;
   };
@@ -128,8 +132,16 @@ void AddRun(Command shoal, CommandAction* action) {
   const Option record =
       command.AddOption("--record", &options.record_dir,
                         "Record into this folder: mission.lcm, the mission file, logs, summary");
-  command.AddFlag("--compress", &options.compress, "Compress the log by zstd: mission.lcm.zst")
-      .Needs(record);
+  const Option compress =
+      command.AddFlag("--compress", &parsed->compress, "Compress the log by zstd: mission.lcm.zst");
+  compress.Needs(record);
+  command
+      .AddFlag("--plain", &parsed->plain,
+               fmt::format("The log is mission.lcm; default: compressed where {} are expected",
+                           BytesText(kPlainLog_bytes)))
+      .Needs(record)
+      .Excludes(compress);
+  AddChannelChoice(command, &options.log_channels);
   command.AddFlag("--lcm-logger", &options.lcm_logger,
                   "Run lcm-logger on each bus as well (wall times; it may lose bursts)");
   command
@@ -167,8 +179,14 @@ void AddRun(Command shoal, CommandAction* action) {
       run.warp = *ParseWarp(parsed->warp);
       run.grouping = *ParseGrouping(parsed->grouping);
       if (parsed->view) run.view = parsed->view_options;
+      if (parsed->compress || parsed->plain) run.compress = parsed->compress;
       if (!parsed->layout.empty()) {
         run.layout = parsed->layout == "shared" ? Layout::kShared : Layout::kCommunities;
+      }
+      if (!run.log_channels.TakesAll() && run.record_dir.empty()) {
+        fmt::print(stderr,
+                   "shoal: --channels and --without need --record DIR: they are of its log\n");
+        return static_cast<int>(kExitUsage);
       }
       if (run.lcm_logger && run.record_dir.empty()) {
         fmt::print(stderr, "shoal: --lcm-logger needs --record DIR, for a place to write to\n");
@@ -187,9 +205,20 @@ void AddSim(Command shoal, CommandAction* action) {
   auto options = std::make_shared<SimOptions>();
   AddMission(command, &options->mission_file, &options->overrides);
   command.AddOption("--log", &options->log_path,
-                    "Write a log of the mission, in place of a file of this name");
+                    "Write a log of the mission, in place of a file of this name; FILE.lcm.zst: "
+                    "compressed");
+  AddChannelChoice(command, &options->log_channels);
   command.AddFlag("--quiet", &options->quiet, kQuiet);
-  command.Callback([options, action] { *action = [options] { return RunSim(*options); }; });
+  command.Callback([options, action] {
+    *action = [options] {
+      if (!options->log_channels.TakesAll() && options->log_path.empty()) {
+        fmt::print(stderr,
+                   "shoal: --channels and --without need --log FILE: they are of that log\n");
+        return static_cast<int>(kExitUsage);
+      }
+      return RunSim(*options);
+    };
+  });
 }
 
 void AddCheck(Command shoal, CommandAction* action) {

@@ -23,7 +23,11 @@ namespace {
 constexpr char kLog[] = "LCM event log, or the folder of a recording";
 
 void AddSelection(Command command, LogSelection* selection) {
-  command.AddOption("--channel", &selection->channels, "Only these channels; * and ? are wild")
+  command
+      .AddOption("--channels,--channel", &selection->channels,
+                 "Only these channels; * and ? are wild")
+      .Repeatable();
+  command.AddOption("--without", &selection->without, "Leave out these channels; * and ? are wild")
       .Repeatable();
   command.AddOption("--from", &selection->from_s, "From this time on, seconds");
   command.AddOption("--to", &selection->to_s, "Up to this time, seconds");
@@ -97,6 +101,23 @@ void AddLogSqlite(Command log, CommandAction* action) {
   });
 }
 
+void AddLogCopy(Command log, CommandAction* action) {
+  const Command command = log.AddSubcommand(
+      "copy", "Copy a log or a part of it; a name that ends in .zst makes it compressed");
+  auto options = std::make_shared<LogCopyOptions>();
+  command.AddOption("A", &options->path, kLog).Required();
+  command.AddOption("B", &options->out_path, "The copy, in place of a file of this name")
+      .Required();
+  AddSelection(command, &options->selection);
+  command.AddFlag("--skip-damage", &options->skip_damage, "Copy what can be read of a bad log");
+  command.Callback([options, action] {
+    *action = [options] {
+      if (!IsSelectionSound(options->selection, std::cerr)) return static_cast<int>(kExitUsage);
+      return LogCopy(*options, std::cout, std::cerr);
+    };
+  });
+}
+
 }  // namespace
 
 void AddLogCommands(Command log, CommandAction* action) {
@@ -123,6 +144,8 @@ void AddLogCommands(Command log, CommandAction* action) {
       return LogCat(*cat_options, std::cout, std::cerr);
     };
   });
+
+  AddLogCopy(log, action);
 
   const Command diff = log.AddSubcommand("diff", "First difference between two logs");
   auto diff_options = std::make_shared<LogDiffOptions>();

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <filesystem>
 #include <utility>
 
 #include "lib/bus/bus/channels.h"
@@ -364,6 +365,54 @@ TEST(EveryApp, AnswersHelpVersionExampleAndInterface) {
     RunningProcess process(folder, {Program(app), "--no-such-option"});
     EXPECT_EQ(process.Wait().exit_code, 2) << app;
   }
+}
+
+TEST(Record, TakesTheChannelsThatAreChosen) {
+  const TestFolder folder;
+  const std::string dir = (folder / "rec").string();
+  const std::string file = (folder / "m.toml").string();
+  WriteFile(file, kOneVessel);
+  const Finished run =
+      RunShoal(folder, {"run", file, "--warp", "max", "--set", "mission.duration_s=5", "--record",
+                        dir, "--channels", "NAV_*", "--channels", "[DH]*", "--without", "DESIRED_*",
+                        "--without", "NVA_*"});
+  EXPECT_NE(run.output.find("--without 'NVA_*' matches none of shoal's channels"),
+            std::string::npos)
+      << run.output;
+  const Finished info = RunShoal(folder, {"log", "info", dir});
+  EXPECT_NE(info.output.find("NAV_ALPHA"), std::string::npos) << info.output;
+  EXPECT_NE(info.output.find("HELM_STATE_ALPHA"), std::string::npos) << info.output;
+  EXPECT_EQ(info.output.find("ACTUATORS"), std::string::npos) << info.output;
+  EXPECT_EQ(info.output.find("DESIRED"), std::string::npos) << info.output;
+}
+
+TEST(Record, RefusesChannelsWithoutALog) {
+  const TestFolder folder;
+  const std::string berta = MissionFile("berta.toml");
+  const Finished run = RunShoal(folder, {"run", berta, "--channels", "NAV_*"});
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.output.find("need --record DIR"), std::string::npos) << run.output;
+  const Finished sim = RunShoal(folder, {"sim", berta, "--without", "NAV_*"});
+  EXPECT_EQ(sim.exit_code, 2);
+  EXPECT_NE(sim.output.find("need --log FILE"), std::string::npos) << sim.output;
+  EXPECT_EQ(RunShoal(folder, {"run", berta, "--record", "x", "--plain", "--compress"}).exit_code,
+            2);
+}
+
+TEST(Record, CompressesALogThatIsExpectedToBeLarge) {
+  const TestFolder folder;
+  const std::string dir = (folder / "rec").string();
+  RunningProcess process(
+      folder, {Program("shoal"), "run", MissionFile("berta.toml"), "--record", dir, "--set",
+               "mission.duration_s=1000000", "--set", "mission.tick_s=0.1"});
+  ASSERT_TRUE(process.WaitFor("x real time")) << process.Output();
+  process.Signal(SIGINT);
+  const Finished finished = process.Wait();
+  EXPECT_NE(finished.output.find("it is compressed, mission.lcm.zst (--plain: mission.lcm)"),
+            std::string::npos)
+      << finished.output;
+  EXPECT_TRUE(std::filesystem::is_regular_file(dir + "/mission.lcm.zst"));
+  EXPECT_EQ(RunShoal(folder, {"log", "info", dir}).exit_code, 0);
 }
 
 }  // namespace shoal::commands_test

@@ -1,4 +1,4 @@
-// What `shoal log info|cat|diff|csv` do. Each reads files, writes text to `out`, warnings and
+// What `shoal log info|cat|copy|diff|csv` do. Each reads files, writes text to `out`, warnings and
 // errors to `err`, and returns the process's exit code: 0, or kExitEnvironment for a file that
 // cannot be read (or is damaged, without skip_damage), kExitUsage for types that are not valid and
 // for channels of which the log has none.
@@ -18,6 +18,7 @@ namespace shoal {
 /// Which events of a log.
 struct LogSelection {
   std::vector<std::string> channels = {};       ///< Globs with * ? [a-z]; empty: all.
+  std::vector<std::string> without = {};        ///< The same; they win over `channels`.
   std::optional<double> from_s = std::nullopt;  ///< Event time, seconds, included.
   std::optional<double> to_s = std::nullopt;    ///< Event time, seconds, included.
 };
@@ -46,6 +47,17 @@ struct LogCatOptions {
 /// Prints one line per message: `12.300 NAV_ALPHA nav_t x_m=1.5 ...`. The member utime is left out
 /// where it equals the event's time.
 int LogCat(const LogCatOptions& options, std::ostream& out, std::ostream& err);
+
+struct LogCopyOptions {
+  std::string path;
+  std::string out_path;  ///< Compressed where it ends in ".zst". A file of this name is replaced.
+  LogSelection selection = {};
+  bool skip_damage = false;  ///< Copy what can be read of a damaged log.
+};
+
+/// Copies the events of a log, as they are, into another: a part of them, or all, compressed or
+/// not. They keep their numbers and times. Prints how many.
+int LogCopy(const LogCopyOptions& options, std::ostream& out, std::ostream& err);
 
 struct LogDiffOptions {
   std::string path_a;

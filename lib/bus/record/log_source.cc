@@ -1,7 +1,6 @@
 #include "lib/bus/record/log_source.h"
 
 #include <fmt/format.h>
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,10 +10,6 @@
 #include "lib/base/time/seconds.h"
 
 namespace shoal {
-
-bool Matches(const std::string& glob, const std::string& channel) {
-  return ::fnmatch(glob.c_str(), channel.c_str(), 0) == 0;
-}
 
 bool IsSelectionSound(const LogSelection& selection, std::ostream& err) {
   if (!selection.from_s || !selection.to_s || *selection.from_s <= *selection.to_s) return true;
@@ -33,7 +28,7 @@ std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, st
 bool IsLogItself(const std::string& path, const std::string& out_path, std::ostream& err) {
   std::error_code ignored;
   if (!std::filesystem::equivalent(path, out_path, ignored)) return false;
-  err << fmt::format("{} is the log itself; name another file: --out FILE\n", out_path);
+  err << fmt::format("{} is the log itself; name another file\n", out_path);
   return true;
 }
 
@@ -56,21 +51,21 @@ bool IsSelected(const LogSelection& selection, const LogEvent& event) {
   constexpr double kTolerance_s = 0.5e-6;
   if (selection.from_s && time_s < *selection.from_s - kTolerance_s) return false;
   if (selection.to_s && time_s > *selection.to_s + kTolerance_s) return false;
-  if (selection.channels.empty()) return true;
-  const std::string channel(event.channel);
-  return std::any_of(selection.channels.begin(), selection.channels.end(),
-                     [&](const std::string& glob) { return Matches(glob, channel); });
+  return TakesChannel(selection.channels, selection.without, event.channel);
 }
 
 bool ReportUnmatched(const LogReader& reader, const LogSelection& selection,
                      const std::set<std::string, std::less<>>& channels, std::ostream& err) {
   size_t num_unmatched = 0;
-  for (const std::string& glob : selection.channels) {
+  std::vector<std::string> globs = selection.channels;
+  globs.insert(globs.end(), selection.without.begin(), selection.without.end());
+  for (size_t i = 0; i < globs.size(); ++i) {
+    const std::string& glob = globs[i];
     if (std::any_of(channels.begin(), channels.end(),
                     [&](const std::string& channel) { return Matches(glob, channel); })) {
       continue;
     }
-    ++num_unmatched;
+    if (i < selection.channels.size()) ++num_unmatched;
     std::string names;
     for (const std::string& channel : channels) {
       if (!names.empty()) names += ", ";

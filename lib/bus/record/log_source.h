@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/base/check/result.h"
+#include "lib/bus/record/channel_choice.h"
 #include "lib/bus/record/log_commands.h"
 #include "lib/bus/record/log_reader.h"
 
@@ -22,9 +23,6 @@ std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, st
 
 /// Writes the damages that `reader` skipped, or its error. Returns true where it read to the end.
 bool ReportDamage(const LogReader& reader, std::ostream& err);
-
-/// Returns true for a channel that a glob with * ? [a-z] stands for.
-[[nodiscard]] bool Matches(const std::string& glob, const std::string& channel);
 
 [[nodiscard]] bool IsSelected(const LogSelection& selection, const LogEvent& event);
 

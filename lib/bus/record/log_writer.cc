@@ -79,11 +79,21 @@ LogWriter::~LogWriter() {
 }
 
 void LogWriter::Append(int64_t utime, std::string_view channel, std::span<const uint8_t> data) {
+  if (Take(next_number_, utime, channel, data)) ++next_number_;
+}
+
+void LogWriter::AppendAs(const LogEvent& event) {
+  (void)Take(event.number, event.utime, event.channel, event.data);
+}
+
+/// Returns false where the event was dropped.
+bool LogWriter::Take(int64_t number, int64_t utime, std::string_view channel,
+                     std::span<const uint8_t> data) {
   SHOAL_CHECK(is_open_, "an event for a log that is closed");
   if (error_ || channel.empty() || channel.size() > kMaxLogChannelLength ||
       data.size() > kMaxLogDataLength) {
     ++counters_.dropped;
-    return;
+    return false;
   }
   if (frames_) {
     const size_t size = pending_.size() + kLogHeaderSize + channel.size() + data.size();
@@ -94,17 +104,17 @@ void LogWriter::Append(int64_t utime, std::string_view channel, std::span<const 
   }
   std::array<uint8_t, kLogHeaderSize> header;
   uint8_t* out = PutBigEndian(kLogMagic, 4, header.data());
-  out = PutBigEndian(static_cast<uint64_t>(next_number_), 8, out);
+  out = PutBigEndian(static_cast<uint64_t>(number), 8, out);
   out = PutBigEndian(static_cast<uint64_t>(utime), 8, out);
   out = PutBigEndian(channel.size(), 4, out);
   PutBigEndian(data.size(), 4, out);
   pending_.insert(pending_.end(), header.begin(), header.end());
   pending_.insert(pending_.end(), channel.begin(), channel.end());
   pending_.insert(pending_.end(), data.begin(), data.end());
-  ++next_number_;
   ++pending_events_;
   ++counters_.events;
   counters_.bytes += static_cast<int64_t>(kLogHeaderSize + channel.size() + data.size());
+  return true;
 }
 
 void LogWriter::CutFrame() {

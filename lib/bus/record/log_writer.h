@@ -16,6 +16,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/os/file_descriptor.h"
 #include "lib/bus/record/frame_writer.h"
+#include "lib/bus/record/log_format.h"
 
 namespace shoal {
 
@@ -46,6 +47,8 @@ class LogWriter {
 
   /// Takes one event, numbered from 0, into memory.
   void Append(int64_t utime, std::string_view channel, std::span<const uint8_t> data);
+  /// The same with the event's own number, as another log has it.
+  void AppendAs(const LogEvent& event);
 
   /// Writes what was appended, whole events in one write(2), so that a process that is
   /// killed between two calls leaves a whole log. Where the file cannot take all, it is cut back to
@@ -63,6 +66,7 @@ class LogWriter {
  private:
   LogWriter(std::string path, FileDescriptor file, bool is_compressed);
   std::optional<Error> FlushPlain();
+  bool Take(int64_t number, int64_t utime, std::string_view channel, std::span<const uint8_t> data);
   void CutFrame();
   Error Fail(int error_number);
 

@@ -35,7 +35,11 @@ std::vector<std::string> ArgumentsOf(const RosterProcess& process, const LaunchC
   add("--port", std::to_string(context.ports.base()));
   add("--layout", std::string(Name(context.ports.layout())));
   add("--mission-id", std::to_string(context.mission_id));
-  if (entry.app == "recorder") add("--log", context.log_path);
+  if (entry.app == "recorder") {
+    add("--log", context.log_path);
+    for (const std::string& each : context.options.log_channels.only) add("--channels", each);
+    for (const std::string& each : context.options.log_channels.without) add("--without", each);
+  }
   if (context.options.lose > 0) add("--lose", fmt::format("{}", context.options.lose));
   if (!context.options.lose_forever.empty()) add("--lose-forever", context.options.lose_forever);
   return arguments;

@@ -7,6 +7,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/layout.h"
+#include "lib/bus/record/channel_choice.h"
 #include "lib/mission/model/mission.h"
 #include "lib/run/launch/child_processes.h"
 #include "lib/run/launch/viewer_arguments.h"
@@ -23,10 +24,12 @@ struct RunOptions {
   std::optional<Layout> layout;  ///< Absent: PortPlan::Suggest.
   int port_base = 0;             ///< 0: the first free block.
   std::string record_dir;        ///< Empty: no recording.
-  bool compress = false;         ///< Its log is mission.lcm.zst.
-  bool lcm_logger = false;       ///< Stock lcm-logger on each bus, beside the recorder.
-  Grouping grouping = {};        ///< How participants share processes.
-  double lose = 0;               ///< Fault injection, handed to every participant.
+  /// Its log is mission.lcm.zst; absent: where it is expected to be large (lib/run/run/log_plan.h).
+  std::optional<bool> compress = std::nullopt;
+  ChannelChoice log_channels = {};
+  bool lcm_logger = false;  ///< Stock lcm-logger on each bus, beside the recorder.
+  Grouping grouping = {};   ///< How participants share processes.
+  double lose = 0;          ///< Fault injection, handed to every participant.
   std::string lose_forever = {};
   bool quiet = false;               ///< No progress line.
   std::optional<ViewOptions> view;  ///< A viewer beside the mission.

@@ -13,6 +13,7 @@
 #include "lib/bus/bus/multicast_fault.h"
 #include "lib/run/launch/launch_signals.h"
 #include "lib/run/launch/recording.h"
+#include "lib/run/run/log_plan.h"
 #include "lib/run/run/run_app.h"
 #include "lib/run/run/run_folder.h"
 #include "lib/run/run/run_registry.h"
@@ -73,7 +74,22 @@ std::vector<std::string> ParticipantNames(const std::vector<RosterProcess>& proc
 }
 
 std::string LogNameOf(const RunOptions& options) {
-  return options.compress ? "mission.lcm.zst" : "mission.lcm";
+  return options.compress.value_or(false) ? "mission.lcm.zst" : "mission.lcm";
+}
+
+/// Returns the options with what `--record` decides by the size that the log is expected to have;
+/// states what it decided, and warns of what is not expected of a log.
+RunOptions WithLogPlanned(const RunOptions& options, const Mission& mission) {
+  if (options.record_dir.empty()) return options;
+  RunOptions planned = options;
+  const LogPlan plan = PlanLog(mission, options.log_channels, options.record_dir, options.compress);
+  planned.compress = plan.is_compressed;
+  for (const std::string& warning : plan.warnings) fmt::print(stderr, "shoal: {}\n", warning);
+  if (plan.is_compressed && !options.compress) {
+    fmt::print("The log may have {}: it is compressed, mission.lcm.zst (--plain: mission.lcm)\n",
+               BytesText(plan.bytes));
+  }
+  return planned;
 }
 
 }  // namespace
@@ -224,18 +240,19 @@ int Launcher::Conclude() {
   return director_->Passed() ? 0 : static_cast<int>(kExitMissionFailed);
 }
 
-int RunMission(const RunOptions& options, const Mission& mission, const LaunchedApps& apps) {
+int RunMission(const RunOptions& asked, const Mission& mission, const LaunchedApps& apps) {
   const auto fail = [](const std::string& why) {
     fmt::print(stderr, "shoal: {}\n", why);
     return static_cast<int>(kExitEnvironment);
   };
   if (const std::string fault = MulticastFault(); !fault.empty()) return fail(fault);
-  if (mission.netsim && !mission.netsim->allow_warp && options.warp != 1) {
+  if (mission.netsim && !mission.netsim->allow_warp && asked.warp != 1) {
     fmt::print(stderr,
                "shoal: a mission with [netsim] runs at --warp 1: modem drivers compare their clock "
                "with the wall's. Where yours do not, write allow_warp = true in [netsim]\n");
     return kExitUsage;
   }
+  const RunOptions options = WithLogPlanned(asked, mission);
   // Before anything is made or started, so that nothing has to be undone.
   const std::vector<std::string> missing = MissingPrograms(mission, ProcessesOf(options, mission));
   if (!missing.empty()) return fail(fmt::format("{}", fmt::join(missing, "\nshoal: ")));

@@ -39,6 +39,17 @@ std::string Rows(std::string_view app, bool published) {
 
 }  // namespace
 
+void AddChannelChoice(Command command, ChannelChoice* choice) {
+  command
+      .AddOption("--channels", &choice->only,
+                 "Log only these channels, e.g. 'NAV_*'; * and ? are wild")
+      .Repeatable();
+  command
+      .AddOption("--without", &choice->without,
+                 "Leave these channels out of the log, e.g. VIEW_COMMS_PULSE; * and ? are wild")
+      .Repeatable();
+}
+
 std::string InterfaceText(const AppInfo& info) {
   if (info.name == "recorder") {
     return "SUBSCRIPTIONS:\n  every channel of every bus of the mission\nPUBLICATIONS:\n" +
@@ -89,6 +100,7 @@ AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv) {
   }
   if (info.name == "recorder") {
     program.AddOption("--log", &options.log_path, "Log file to write");
+    AddChannelChoice(program, &options.log_channels);
   }
   program
       .AddOption("--lose", &options.lose,

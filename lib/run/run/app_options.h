@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "lib/bus/bus/layout.h"
+#include "lib/bus/record/channel_choice.h"
+#include "lib/run/command_line/command.h"
 
 namespace shoal {
 
@@ -33,15 +35,19 @@ struct AppOptions {
   int port_base = 0;  ///< 0: that of the running mission of this file.
   std::optional<Layout> layout;
   int64_t mission_id = 0;
-  bool live = false;         ///< Without a mission's clock: lib/run/run/live.h.
-  std::string log_path;      ///< Recorder only.
-  double lose = 0;           ///< Share of incoming datagrams lost on purpose.
-  std::string lose_forever;  ///< A channel whose datagrams are all lost on purpose.
+  bool live = false;           ///< Without a mission's clock: lib/run/run/live.h.
+  std::string log_path;        ///< Recorder only.
+  ChannelChoice log_channels;  ///< Recorder only.
+  double lose = 0;             ///< Share of incoming datagrams lost on purpose.
+  std::string lose_forever;    ///< A channel whose datagrams are all lost on purpose.
 };
 
 /// Parses the command line; handles --help, --version, --example and --interface; exits with 0 or
 /// kExitUsage where there is nothing more to do.
 AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv);
+
+/// Adds --channels and --without, for what writes a log.
+void AddChannelChoice(Command command, ChannelChoice* choice);
 
 /// Returns which channels an app subscribes to and publishes, from the channel table.
 std::string InterfaceText(const AppInfo& info);
