@@ -46,6 +46,8 @@ function(shoal_lcm_types)
   add_library(shoal_lcmtypes_c STATIC ${c_sources})
   target_include_directories(shoal_lcmtypes_c SYSTEM PUBLIC ${c_dir})
   target_link_libraries(shoal_lcmtypes_c PUBLIC shoal_lcm)
+  # Sixty types, which programs outside the C++ tree take.
+  target_compile_options(shoal_lcmtypes_c PRIVATE ${SHOAL_BRIEF_OPTIONS})
 
   # The text of every type, for tools that print messages without knowing them beforehand.
   set(embedded ${CMAKE_BINARY_DIR}/gen/lcm_sources.cc)

@@ -2,7 +2,7 @@
 #
 #   shoal_library(NAME SOURCES a.cc ... DEPENDS other_lib Eigen3::Eigen ...
 #                 TESTS a_test.cc ... [TEST_DEPENDS lib ...])
-#   shoal_app(NAME SOURCES x_app.cc ... DEPENDS lib ... TESTS x_app_test.cc ...)
+#   shoal_app(NAME [RUN Function] SOURCES x_app.cc ... DEPENDS lib ... TESTS x_app_test.cc ...)
 #   shoal_test(NAME SOURCES x_test.cc ... DEPENDS lib ...
 #              [LABEL unit|process|browser|slurm|bench-smoke] [TIMEOUT seconds] [SERIAL])
 #
@@ -10,7 +10,8 @@
 # on those before it in SHOAL_FLOORS; on the pure floors, beside these, on the numeric libraries of
 # SHOAL_PURE_EXTERNALS and on nothing else. Anything more fails here, at configure time.
 # scripts/floors holds every #include against the same order.
-# shoal_app makes a library <NAME>_app from SOURCES and, from <NAME>_main.cc, the executable.
+# shoal_app makes a library <NAME>_app from SOURCES and the executable, from <NAME>_main.cc or, with
+# RUN, from a main that calls `int shoal::Function(int argc, char** argv)` of the library.
 #
 # What builds fast is chosen by the preset (CMakePresets.json, docs/building.md): precompiled
 # headers (SHOAL_PCH), one translation unit per library (CMAKE_UNITY_BUILD), shared libraries
@@ -107,12 +108,13 @@ endif()
 # a library calls its own functions directly all the same.
 set(SHOAL_LIBRARY_OPTIONS -fno-semantic-interposition)
 
-# What works once in a mission, or at the speed of people: built with SHOAL_BRIEF_OPTIONS, since it
-# is half of the code, and a user waits for its build longer than for it. Floors, rooms of lib/, and
+# What works once in a mission, at the speed of people, or little in a step: built with
+# SHOAL_BRIEF_OPTIONS, since a user waits for its build longer than for it. Floors, rooms of lib/, and
 # folders.
-set(SHOAL_BRIEF mission run/command_line run/hosts run/launch run/moos_text run/orders tools/report
-  tools/view apps/shoal apps/shoal_campaign apps/shoal_encounters apps/shoal_import apps/shoal_log
-  apps/shoal_plot apps/shoal_rebroker apps/viewer)
+set(SHOAL_BRIEF mission run/command_line run/hosts run/launch run/moos_text run/orders run/run
+  tools/report tools/view apps/gateway apps/netsim_manager apps/recorder apps/shoal
+  apps/shoal_campaign apps/shoal_encounters apps/shoal_import apps/shoal_log apps/shoal_log_export
+  apps/shoal_plot apps/shoal_rebroker apps/viewer sim)
 foreach(brief IN LISTS SHOAL_BRIEF)
   if(NOT IS_DIRECTORY ${PROJECT_SOURCE_DIR}/lib/${brief} AND NOT IS_DIRECTORY
      ${PROJECT_SOURCE_DIR}/${brief})
@@ -262,17 +264,24 @@ function(shoal_library name)
 endfunction()
 
 function(shoal_app name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;TESTS;TEST_DEPENDS" ${ARGN})
+  cmake_parse_arguments(ARG "" "RUN" "SOURCES;DEPENDS;TESTS;TEST_DEPENDS" ${ARGN})
   if(ARG_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "shoal_app(${name}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
   endif()
   shoal_library(${name}_app SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS}
     TESTS ${ARG_TESTS} TEST_DEPENDS ${ARG_TEST_DEPENDS})
-  add_executable(${name} ${name}_main.cc)
+  if(ARG_RUN)
+    # A main that includes nothing compiles in no time.
+    set(main ${CMAKE_BINARY_DIR}/gen/${name}_main.cc)
+    configure_file(${CMAKE_SOURCE_DIR}/apps/main.cc.in ${main} @ONLY)
+    add_executable(${name} ${main})
+  else()
+    add_executable(${name} ${name}_main.cc)
+    # As the libraries are, so that it can use their precompiled headers.
+    target_compile_options(${name} PRIVATE -fPIC)
+    shoal_compile_as_its_kind(${name})
+  endif()
   target_link_libraries(${name} PRIVATE ${name}_app shoal_flags)
-  # As the libraries are, so that it can use their precompiled headers.
-  target_compile_options(${name} PRIVATE -fPIC)
-  shoal_compile_as_its_kind(${name})
 endfunction()
 
 function(shoal_test name)

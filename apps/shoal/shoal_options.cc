@@ -354,9 +354,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddStatus(shoal, &action);
   AddView(shoal, &action);
   AddHostCommands(shoal, &action);
-  for (const char* name : {"log", "import", "plot", "rebroker", "encounters", "campaign"}) {
-    ListToolCommand(shoal, name);
-  }
+  ListToolCommands(shoal, "");
   AddDoctor(shoal, &action);
   shoal.AddSubcommand("channels", "Print the table of all channels (docs/channels.md)")
       .Callback([&action] {

@@ -7,42 +7,24 @@
 #include <string>
 #include <vector>
 
+#include "apps/shoal_log/log_arguments.h"
 #include "apps/shoal_log/log_comms.h"
 #include "apps/shoal_log/log_encounters.h"
 #include "apps/shoal_log/log_helm.h"
 #include "lib/base/check/result.h"
 #include "lib/bus/record/log_commands.h"
+#include "lib/run/command_line/tool_commands.h"
 #include "lib/run/moos_text/alog.h"
-#include "lib/tools/mcap/log_mcap.h"
-#include "lib/tools/sqlite/log_sqlite.h"
 
 namespace shoal {
 
 namespace {
 
-constexpr char kLog[] = "LCM event log, or the folder of a recording";
-
-void AddSelection(Command command, LogSelection* selection) {
-  command
-      .AddOption("--channels,--channel", &selection->channels,
-                 "Only these channels; * and ? are wild")
-      .Repeatable();
-  command.AddOption("--without", &selection->without, "Leave out these channels; * and ? are wild")
-      .Repeatable();
-  command.AddOption("--from", &selection->from_s, "From this time on, seconds");
-  command.AddOption("--to", &selection->to_s, "Up to this time, seconds");
-}
-
-void AddTypes(Command command, std::vector<std::string>* types) {
-  command.AddOption("--types", types, "A .lcm file of message types that are not shoal's")
-      .Repeatable();
-}
-
 void AddLogEncounters(Command log, CommandAction* action) {
   const Command command = log.AddSubcommand(
       "encounters", "Show the encounters of vessels, and how well each kept to the rules");
   auto options = std::make_shared<LogEncountersOptions>();
-  command.AddOption("LOG", &options->path, kLog).Required();
+  command.AddOption("LOG", &options->path, kLogArgument).Required();
   const Option csv = command.AddFlag("--csv", &options->csv, "Every number, as CSV");
   command.AddFlag("--explain", &options->explain, "Every number, in words").Excludes(csv);
   command.AddFlag("--all", &options->all, "Show all encounters, however many there are");
@@ -65,50 +47,14 @@ void AddLogEncounters(Command log, CommandAction* action) {
   });
 }
 
-void AddLogMcap(Command log, CommandAction* action) {
-  const Command command =
-      log.AddSubcommand("mcap", "One MCAP file, for Foxglove, Rerun and PlotJuggler");
-  auto options = std::make_shared<LogMcapOptions>();
-  command.AddOption("LOG", &options->path, kLog).Required();
-  command.AddOption("--out", &options->out_path, "The file").Required();
-  AddSelection(command, &options->selection);
-  command.AddFlag("--skip-damage", &options->skip_damage, "Convert what can be read of a bad log");
-  command.AddFlag("--only-log", &options->only_log,
-                  "Leave out the poses, places and lines of text that are made of the log");
-  AddTypes(command, &options->types);
-  command.Callback([options, action] {
-    *action = [options] {
-      if (!IsSelectionSound(options->selection, std::cerr)) return static_cast<int>(kExitUsage);
-      return LogMcap(*options, std::cout, std::cerr);
-    };
-  });
-}
-
-void AddLogSqlite(Command log, CommandAction* action) {
-  const Command command =
-      log.AddSubcommand("sqlite", "One SQLite database: a table per channel, fates, mission");
-  auto options = std::make_shared<LogSqliteOptions>();
-  command.AddOption("LOG", &options->path, kLog).Required();
-  command.AddOption("--out", &options->out_path, "The file").Required();
-  AddSelection(command, &options->selection);
-  command.AddFlag("--skip-damage", &options->skip_damage, "Convert what can be read of a bad log");
-  AddTypes(command, &options->types);
-  command.Callback([options, action] {
-    *action = [options] {
-      if (!IsSelectionSound(options->selection, std::cerr)) return static_cast<int>(kExitUsage);
-      return LogSqlite(*options, std::cout, std::cerr);
-    };
-  });
-}
-
 void AddLogCopy(Command log, CommandAction* action) {
   const Command command = log.AddSubcommand(
       "copy", "Copy a log or a part of it; a name that ends in .zst makes it compressed");
   auto options = std::make_shared<LogCopyOptions>();
-  command.AddOption("A", &options->path, kLog).Required();
+  command.AddOption("A", &options->path, kLogArgument).Required();
   command.AddOption("B", &options->out_path, "The copy, in place of a file of this name")
       .Required();
-  AddSelection(command, &options->selection);
+  AddLogSelection(command, &options->selection);
   command.AddFlag("--skip-damage", &options->skip_damage, "Copy what can be read of a bad log");
   command.Callback([options, action] {
     *action = [options] {
@@ -125,19 +71,19 @@ void AddLogCommands(Command log, CommandAction* action) {
 
   const Command info = log.AddSubcommand("info", "Channels, types, counts, rates, time span");
   auto info_options = std::make_shared<LogInfoOptions>();
-  info.AddOption("LOG", &info_options->path, kLog).Required();
-  AddTypes(info, &info_options->types);
+  info.AddOption("LOG", &info_options->path, kLogArgument).Required();
+  AddLogTypes(info, &info_options->types);
   info.Callback([info_options, action] {
     *action = [info_options] { return LogInfo(*info_options, std::cout, std::cerr); };
   });
 
   const Command cat = log.AddSubcommand("cat", "Messages as text, one line each");
   auto cat_options = std::make_shared<LogCatOptions>();
-  cat.AddOption("LOG", &cat_options->path, kLog).Required();
-  AddSelection(cat, &cat_options->selection);
+  cat.AddOption("LOG", &cat_options->path, kLogArgument).Required();
+  AddLogSelection(cat, &cat_options->selection);
   cat.AddOption("--limit", &cat_options->limit, "Lines at most");
   cat.AddFlag("--skip-damage", &cat_options->skip_damage, "Print what can be read of a bad log");
-  AddTypes(cat, &cat_options->types);
+  AddLogTypes(cat, &cat_options->types);
   cat.Callback([cat_options, action] {
     *action = [cat_options] {
       if (!IsSelectionSound(cat_options->selection, std::cerr)) return static_cast<int>(kExitUsage);
@@ -149,11 +95,11 @@ void AddLogCommands(Command log, CommandAction* action) {
 
   const Command diff = log.AddSubcommand("diff", "First difference between two logs");
   auto diff_options = std::make_shared<LogDiffOptions>();
-  diff.AddOption("A", &diff_options->path_a, kLog).Required();
-  diff.AddOption("B", &diff_options->path_b, kLog).Required();
+  diff.AddOption("A", &diff_options->path_a, kLogArgument).Required();
+  diff.AddOption("B", &diff_options->path_b, kLogArgument).Required();
   diff.AddOption("--without", &diff_options->without, "Leave out these channels; * and ? are wild")
       .Repeatable();
-  AddTypes(diff, &diff_options->types);
+  AddLogTypes(diff, &diff_options->types);
   diff.Callback([diff_options, action] {
     *action = [diff_options] { return LogDiff(*diff_options, std::cout, std::cerr); };
   });
@@ -161,13 +107,13 @@ void AddLogCommands(Command log, CommandAction* action) {
   const Command csv = log.AddSubcommand("csv", "One CSV file per channel");
   auto csv_options = std::make_shared<LogCsvOptions>();
   auto is_moos = std::make_shared<bool>(false);
-  csv.AddOption("LOG", &csv_options->path, kLog).Required();
+  csv.AddOption("LOG", &csv_options->path, kLogArgument).Required();
   csv.AddOption("--out", &csv_options->out_dir, "Folder for the files").Required();
-  AddSelection(csv, &csv_options->selection);
+  AddLogSelection(csv, &csv_options->selection);
   csv.AddFlag("--skip-damage", &csv_options->skip_damage, "Convert what can be read of a bad log");
   csv.AddFlag("--moos", is_moos.get(),
               "Also write node reports as MOOS text, for alog tools: <CHANNEL>.alog");
-  AddTypes(csv, &csv_options->types);
+  AddLogTypes(csv, &csv_options->types);
   csv.Callback([csv_options, is_moos, action] {
     if (*is_moos) csv_options->lines = NodeReportsAsAlog();
     *action = [csv_options] {
@@ -179,7 +125,7 @@ void AddLogCommands(Command log, CommandAction* action) {
   const Command comms = log.AddSubcommand(
       "comms", "Show what was delivered and lost per link, why, and the age of information");
   auto comms_options = std::make_shared<LogCommsOptions>();
-  comms.AddOption("LOG", &comms_options->path, kLog).Required();
+  comms.AddOption("LOG", &comms_options->path, kLogArgument).Required();
   comms.AddOption("--csv", &comms_options->csv_dir, "Also write tables into this folder");
   comms.AddFlag("--all", &comms_options->all, "Show all links, however many there are");
   comms.AddFlag("--skip-damage", &comms_options->skip_damage, "Read what can be read of a bad log");
@@ -190,7 +136,7 @@ void AddLogCommands(Command log, CommandAction* action) {
   const Command helm =
       log.AddSubcommand("helm", "Show why a helm with behaviors steered as it did");
   auto helm_options = std::make_shared<LogHelmOptions>();
-  helm.AddOption("LOG", &helm_options->path, kLog).Required();
+  helm.AddOption("LOG", &helm_options->path, kLogArgument).Required();
   helm.AddOption("--vehicle", &helm_options->vehicle, "Only this vehicle");
   helm.AddOption("--at", &helm_options->at_s, "In full: the decision at this time, seconds");
   helm.AddFlag("--skip-damage", &helm_options->skip_damage, "Read what can be read of a bad log");
@@ -198,8 +144,7 @@ void AddLogCommands(Command log, CommandAction* action) {
     *action = [helm_options] { return LogHelm(*helm_options, std::cout, std::cerr); };
   });
   AddLogEncounters(log, action);
-  AddLogMcap(log, action);
-  AddLogSqlite(log, action);
+  ListToolCommands(log, "log");
 }
 
 }  // namespace shoal

@@ -20,59 +20,75 @@ namespace shoal {
 namespace {
 
 struct ToolCommand {
+  std::string_view of;  ///< The command that it is a part of.
   std::string_view name;
+  std::string_view program;
   std::string_view text;  ///< What it does, in a line.
 };
 
 constexpr ToolCommand kToolCommands[] = {
-    {"campaign", "Run a mission many times, and answer questions about it"},
-    {"encounters", "Write mission files of encounters, or run many"},
-    {"import", "Make a mission of MOOS-IvP mission files (.moos, .bhv)"},
-    {"log", "Read logs"},
-    {"plot", "Draw a log's tracks and curves (gnuplot)"},
-    {"rebroker", "Route the recorded reports again, by other rules"},
+    {"", "log", "shoal-log", "Read logs"},
+    {"", "import", "shoal-import", "Make a mission of MOOS-IvP mission files (.moos, .bhv)"},
+    {"", "plot", "shoal-plot", "Draw a log's tracks and curves (gnuplot)"},
+    {"", "rebroker", "shoal-rebroker", "Route the recorded reports again, by other rules"},
+    {"", "encounters", "shoal-encounters", "Write mission files of encounters, or run many"},
+    {"", "campaign", "shoal-campaign", "Run a mission many times, and answer questions about it"},
+    {"log", "mcap", "shoal-log-export", "One MCAP file, for Foxglove, Rerun and PlotJuggler"},
+    {"log", "sqlite", "shoal-log-export",
+     "One SQLite database: a table per channel, fates, mission"},
 };
 
-const ToolCommand* FindToolCommand(std::string_view name) {
-  const auto* found = std::find_if(std::begin(kToolCommands), std::end(kToolCommands),
-                                   [name](const ToolCommand& each) { return each.name == name; });
+const ToolCommand* FindToolCommand(std::string_view of, std::string_view name) {
+  const auto* found =
+      std::find_if(std::begin(kToolCommands), std::end(kToolCommands),
+                   [&](const ToolCommand& each) { return each.of == of && each.name == name; });
   return found == std::end(kToolCommands) ? nullptr : found;
-}
-
-Command AddToolCommand(const Program& shoal, std::string_view name) {
-  const ToolCommand* tool = FindToolCommand(name);
-  SHOAL_CHECK(tool != nullptr, "kToolCommands has the command");
-  return shoal.AddSubcommand(std::string(name), std::string(tool->text));
 }
 
 }  // namespace
 
-void ListToolCommand(const Program& shoal, std::string_view name) { AddToolCommand(shoal, name); }
+Command AddToolCommand(const Command& parent, std::string_view of, std::string_view name) {
+  const ToolCommand* tool = FindToolCommand(of, name);
+  SHOAL_CHECK(tool != nullptr, "kToolCommands has the command");
+  return parent.AddSubcommand(std::string(name), std::string(tool->text));
+}
 
-std::optional<int> StartToolCommand(int argc, char** argv) {
+void ListToolCommands(const Command& parent, std::string_view of) {
+  for (const ToolCommand& each : kToolCommands) {
+    if (each.of == of) AddToolCommand(parent, of, each.name);
+  }
+}
+
+std::optional<int> StartToolCommand(int argc, char** argv, std::string_view of) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   // `shoal --help log` and `shoal help log` are `shoal log --help`.
   if (!words.empty() && words.front() == "help") words.front() = "--help";
   const auto is_help = [](const std::string& word) { return word == "--help" || word == "-h"; };
   const auto name = std::find_if_not(words.begin(), words.end(), is_help);
-  if (name == words.end() || FindToolCommand(*name) == nullptr) return std::nullopt;
-  const std::string command = *name;
-  const std::string tool = "shoal-" + command;
-  const Result<std::string> program = FindBeside(tool);
-  if (!program.ok()) {
-    fmt::print(stderr, "shoal {} needs the program {}, which {}\n", command, tool,
-               WhyMissing(tool));
+  if (name == words.end()) return std::nullopt;
+  const ToolCommand* tool = FindToolCommand(of, *name);
+  if (tool == nullptr) return std::nullopt;
+  const std::string program(tool->program);
+  const Result<std::string> path = FindBeside(program);
+  if (!path.ok()) {
+    fmt::print(stderr, "shoal {}{}{} needs the program {}, which {}\n", of, of.empty() ? "" : " ",
+               tool->name, program, WhyMissing(program));
     return kExitEnvironment;
   }
-  words.erase(name);
-  return BecomeProgram(*program, std::move(words));
+  // Programs of one command begin with what it takes, those of several with its name.
+  if (of.empty()) {
+    words.erase(name);
+  } else {
+    std::rotate(words.begin(), name, name + 1);
+  }
+  return BecomeProgram(*path, std::move(words));
 }
 
 int RunToolCommand(std::string_view name, int argc, char** argv,
                    const std::function<void(Command command, CommandAction* action)>& add) {
   Program shoal = MakeShoalCommand();
   CommandAction action;
-  add(AddToolCommand(shoal, name), &action);
+  add(AddToolCommand(shoal, "", name), &action);
   std::vector<std::string> words = {"shoal", std::string(name)};
   words.insert(words.end(), argv + std::min(argc, 1), argv + argc);
   return RunCommandLine(shoal, &action, words);

@@ -16,13 +16,17 @@
 
 namespace shoal {
 
-/// Adds the command to those that `shoal --help` lists; StartToolCommand runs it.
+/// Adds such a command by its name and text, and returns it. `of`: the command that it is a part
+/// of, as `log` of `shoal log mcap`; empty of `shoal` itself.
 /// @pre kToolCommands has the name (tool_commands.cc)
-void ListToolCommand(const Program& shoal, std::string_view name);
+Command AddToolCommand(const Command& parent, std::string_view of, std::string_view name);
 
-/// Where the words name a command that is a program of its own, turns this process into it. Returns
+/// Adds all such commands of `of`, for --help to list; StartToolCommand runs them.
+void ListToolCommands(const Command& parent, std::string_view of);
+
+/// Where the words name such a command of `of`, turns this process into its program. Returns
 /// kExitEnvironment, with an error, where that fails; nothing where they name none.
-std::optional<int> StartToolCommand(int argc, char** argv);
+std::optional<int> StartToolCommand(int argc, char** argv, std::string_view of = "");
 
 /// The main function of such a program: the command line of `shoal <name>`. `add` adds options and
 /// subcommands; the chosen one sets `action`.

@@ -9,9 +9,10 @@
 
 #include "lib/bus/bus/layout.h"
 #include "lib/bus/record/channel_choice.h"
-#include "lib/run/command_line/command.h"
 
 namespace shoal {
+
+class Command;
 
 struct Mission;
 struct Vehicle;

@@ -9,6 +9,7 @@
 #include <set>
 #include <system_error>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/record/log_format.h"
 #include "lib/bus/record/log_writer.h"
@@ -62,7 +63,7 @@ class StartRanges {
 
   bool Reaches(const Vehicle& from, const Vehicle& to) const {
     const RoutingRules& rules = mission_.comms;
-    const double range_m = std::hypot(from.start.x_m - to.start.x_m, from.start.y_m - to.start.y_m);
+    const double range_m = Hypot(from.start.x_m - to.start.x_m, from.start.y_m - to.start.y_m);
     if (rules.groups && from.group != to.group) return false;
     if (rules.comms_range_m < 0 || range_m < rules.critical_range_m) return true;
     return range_m < rules.comms_range_m * from.link_factors.stealth * to.link_factors.earange;

@@ -1,9 +1,10 @@
 // The main loop of a participant that runs in a process of its own.
 //
-//   int main(int argc, char** argv) {
-//     return shoal::RunVehicleApp(kInfo, argc, argv, [](const auto& mission, const auto& vehicle,
-//                                                       auto& bus, const auto&) {
-//       return std::make_unique<shoal::HelmApp>(mission, vehicle, bus);
+//   int RunHelm(int argc, char** argv) {
+//     return RunVehicleApp(kInfo, argc, argv, [](const auto& mission, const auto& vehicle, auto&
+//     bus,
+//                                                const auto&) {
+//       return std::make_unique<HelmApp>(mission, vehicle, bus);
 //     });
 //   }
 #pragma once

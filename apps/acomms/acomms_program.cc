@@ -3,9 +3,11 @@
 #include "apps/acomms/acomms_app.h"
 #include "lib/run/run/run_app.h"
 
+namespace shoal {
+
 namespace {
 
-const shoal::AppInfo kInfo = {
+const AppInfo kInfo = {
     .name = "acomms",
     .purpose =
         "Sends and receives the messages of one vehicle of a swarm over the acoustic network.",
@@ -32,7 +34,7 @@ swarm = "acoustic"
 [vehicle.recovery]
 reporter_pos = ["predict", "previous"]
 )",
-    .misfit = [](const shoal::Mission& mission, const shoal::Vehicle& vehicle) -> std::string {
+    .misfit = [](const Mission& mission, const Vehicle& vehicle) -> std::string {
       if (mission.SwarmOf(vehicle) != nullptr) return "";
       return vehicle.name + " is neither the leader nor a follower of [swarm]";
     },
@@ -40,9 +42,11 @@ reporter_pos = ["predict", "previous"]
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return shoal::RunVehicleApp(kInfo, argc, argv,
-                              [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
-                                return std::make_unique<shoal::AcommsApp>(mission, vehicle, bus);
-                              });
+int RunAcomms(int argc, char** argv) {
+  return RunVehicleApp(kInfo, argc, argv,
+                       [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
+                         return std::make_unique<AcommsApp>(mission, vehicle, bus);
+                       });
 }
+
+}  // namespace shoal

@@ -2,9 +2,11 @@
 #include "apps/vehicle_sim/vehicle_sim_app.h"
 #include "lib/run/run/run_app.h"
 
+namespace shoal {
+
 namespace {
 
-const shoal::AppInfo kInfo = {
+const AppInfo kInfo = {
     .name = "vehicle_sim",
     .purpose = "Simulates one vehicle: subscribes to its actuators, publishes its position.",
     .per_vehicle = true,
@@ -23,9 +25,11 @@ max_acceleration_mps2 = 0.5
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return shoal::RunVehicleApp(
-      kInfo, argc, argv, [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
-        return std::make_unique<shoal::VehicleSimApp>(mission, vehicle, bus);
-      });
+int RunVehicleSim(int argc, char** argv) {
+  return RunVehicleApp(kInfo, argc, argv,
+                       [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
+                         return std::make_unique<VehicleSimApp>(mission, vehicle, bus);
+                       });
 }
+
+}  // namespace shoal

@@ -3,9 +3,11 @@
 #include "apps/node_reporter/node_reporter_app.h"
 #include "lib/run/run/run_app.h"
 
+namespace shoal {
+
 namespace {
 
-const shoal::AppInfo kInfo = {
+const AppInfo kInfo = {
     .name = "node_reporter",
     .purpose = "Reports the state of one vehicle to the others, by way of the shore.",
     .per_vehicle = true,
@@ -24,9 +26,11 @@ extra = { PAYLOAD = "ctd" }           # your own fields
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return shoal::RunVehicleApp(
-      kInfo, argc, argv, [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
-        return std::make_unique<shoal::NodeReporterApp>(mission, vehicle, bus);
-      });
+int RunNodeReporter(int argc, char** argv) {
+  return RunVehicleApp(kInfo, argc, argv,
+                       [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
+                         return std::make_unique<NodeReporterApp>(mission, vehicle, bus);
+                       });
 }
+
+}  // namespace shoal

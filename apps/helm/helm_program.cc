@@ -3,9 +3,11 @@
 #include "apps/helm/helm_app.h"
 #include "lib/run/run/run_app.h"
 
+namespace shoal {
+
 namespace {
 
-const shoal::AppInfo kInfo = {
+const AppInfo kInfo = {
     .name = "helm",
     .purpose = "Guides one vehicle through its tasks: waypoints, loiter, station keeping, return.",
     .per_vehicle = true,
@@ -28,9 +30,11 @@ speed_mps = 1.5
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return shoal::RunVehicleApp(kInfo, argc, argv,
-                              [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
-                                return std::make_unique<shoal::HelmApp>(mission, vehicle, bus);
-                              });
+int RunHelm(int argc, char** argv) {
+  return RunVehicleApp(kInfo, argc, argv,
+                       [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
+                         return std::make_unique<HelmApp>(mission, vehicle, bus);
+                       });
 }
+
+}  // namespace shoal

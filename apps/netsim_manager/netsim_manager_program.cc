@@ -3,9 +3,11 @@
 #include "apps/netsim_manager/netsim_manager_app.h"
 #include "lib/run/run/run_app.h"
 
+namespace shoal {
+
 namespace {
 
-const shoal::AppInfo kInfo = {
+const AppInfo kInfo = {
     .name = "netsim_manager",
     .purpose =
         "Lets vehicle simulators and modems from outside take part, over netsim's TCP "
@@ -38,8 +40,10 @@ modem = "micromodem"                  # or "micromodem2", "raw", "none"
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return shoal::RunMissionApp(kInfo, argc, argv, [](const auto& mission, auto& bus, const auto&) {
-    return std::make_unique<shoal::NetsimManagerApp>(mission, bus);
+int RunNetsimManager(int argc, char** argv) {
+  return RunMissionApp(kInfo, argc, argv, [](const auto& mission, auto& bus, const auto&) {
+    return std::make_unique<NetsimManagerApp>(mission, bus);
   });
 }
+
+}  // namespace shoal

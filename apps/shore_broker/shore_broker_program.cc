@@ -3,16 +3,18 @@
 #include "lib/run/broker/comms_example.h"
 #include "lib/run/run/run_app.h"
 
+namespace shoal {
+
 namespace {
 
-const shoal::AppInfo kInfo = {
+const AppInfo kInfo = {
     .name = "shore_broker",
     .purpose =
         "Decides which vehicle receives which node reports, messages and acoustic packets, and "
         "why.",
     .per_vehicle = false,
     .can_live = true,
-    .example = "# In a mission file. These are the defaults.\n" + shoal::CommsExample() + R"(
+    .example = "# In a mission file. These are the defaults.\n" + CommsExample() + R"(
 [acoustics]                           # docs/mission_file.md has all keys
 crc = true                            # false: damage is delivered
 access_mode = "fdma"                  # or shared, tdma, tdma_lf
@@ -29,8 +31,10 @@ earange = 4.5                         # 1 to 10: receives within comms_range x e
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return shoal::RunMissionApp(kInfo, argc, argv, [](const auto& mission, auto& bus, const auto&) {
-    return std::make_unique<shoal::ShoreBrokerApp>(mission, bus);
+int RunShoreBroker(int argc, char** argv) {
+  return RunMissionApp(kInfo, argc, argv, [](const auto& mission, auto& bus, const auto&) {
+    return std::make_unique<ShoreBrokerApp>(mission, bus);
   });
 }
+
+}  // namespace shoal

@@ -2,9 +2,11 @@
 #include "apps/gateway/gateway_app.h"
 #include "lib/run/run/run_app.h"
 
+namespace shoal {
+
 namespace {
 
-const shoal::AppInfo kInfo = {
+const AppInfo kInfo = {
     .name = "gateway",
     .purpose = "Forwards what its vehicle receives by one medium over others.",
     .per_vehicle = true,
@@ -26,7 +28,7 @@ queue = 50                            # at most this many wait
 rate_hz = 10                          # and this many leave in a second
 max_hops = 3
 )",
-    .misfit = [](const shoal::Mission&, const shoal::Vehicle& vehicle) -> std::string {
+    .misfit = [](const Mission&, const Vehicle& vehicle) -> std::string {
       if (vehicle.media.gateway.exists) return "";
       return vehicle.name + " is no gateway: it has no [vehicle.gateway]";
     },
@@ -34,9 +36,11 @@ max_hops = 3
 
 }  // namespace
 
-int main(int argc, char** argv) {
-  return shoal::RunVehicleApp(kInfo, argc, argv,
-                              [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
-                                return std::make_unique<shoal::GatewayApp>(mission, vehicle, bus);
-                              });
+int RunGateway(int argc, char** argv) {
+  return RunVehicleApp(kInfo, argc, argv,
+                       [](const auto& mission, const auto& vehicle, auto& bus, const auto&) {
+                         return std::make_unique<GatewayApp>(mission, vehicle, bus);
+                       });
 }
+
+}  // namespace shoal

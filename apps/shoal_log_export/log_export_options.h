@@ -1,0 +1,12 @@
+// The subcommands of `shoal log` that write a log in formats of other systems.
+#pragma once
+
+#include "lib/run/command_line/command.h"
+#include "lib/run/command_line/command_line.h"
+
+namespace shoal {
+
+/// Adds them; the chosen one sets `action` to what it runs.
+void AddLogExportCommands(Command log, CommandAction* action);
+
+}  // namespace shoal
