@@ -58,11 +58,13 @@ install(FILES packaging/_shoal DESTINATION share/zsh/vendor-completions)
 
 # Manual pages, from what the programs print for --help.
 find_program(SHOAL_PYTHON python3)
+set(SHOAL_MAN_PAGES_FROM ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} CACHE PATH
+  "Folder of the programs that print them: where this computer cannot run those that it builds")
 if(SHOAL_PYTHON)
   set(man_stamp ${staging}/man.stamp)
   add_custom_command(OUTPUT ${man_stamp}
     COMMAND ${SHOAL_PYTHON} ${CMAKE_SOURCE_DIR}/scripts/man_pages
-      ${CMAKE_RUNTIME_OUTPUT_DIRECTORY} ${staging}/man1 ${manual_pages}
+      ${SHOAL_MAN_PAGES_FROM} ${staging}/man1 ${manual_pages}
     COMMAND ${CMAKE_COMMAND} -E touch ${man_stamp}
     DEPENDS shoal viewer ${tools} ${apps} ${CMAKE_SOURCE_DIR}/scripts/man_pages VERBATIM
     COMMENT "Making manual pages")

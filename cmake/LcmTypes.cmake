@@ -10,7 +10,7 @@
 find_program(LCM_GEN lcm-gen REQUIRED)
 find_path(LCM_INCLUDE_DIR lcm/lcm-cpp.hpp REQUIRED)
 find_library(LCM_LIBRARY lcm REQUIRED)
-find_file(LCM_JAR lcm.jar PATHS /usr/share/java)
+find_file(LCM_JAR lcm.jar PATHS /usr/share/java NO_CMAKE_FIND_ROOT_PATH)
 find_program(JAVAC javac)
 find_program(JAR jar)
 
