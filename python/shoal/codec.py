@@ -417,11 +417,11 @@ def _inner_length(values: Any, depth: int, otherwise: int) -> int:
     return len(values)
 
 
-def make_codecs(schema: Schema) -> dict[str, Codec]:
-    """Returns the codecs of all structs of a schema, by full name."""
+def make_codecs(schema: Schema, special: dict[str, type[Codec]]) -> dict[str, Codec]:
+    """Returns the codecs of all structs of a schema, by full name; `special`: their classes."""
     codecs: dict[str, Codec] = {}
     for name, made in schema.structs.items():
-        codecs[name] = Codec(codecs, schema, made)
+        codecs[name] = special.get(name, Codec)(codecs, schema, made)
     return codecs
 
 

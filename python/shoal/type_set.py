@@ -11,6 +11,7 @@ from pathlib import Path
 from . import lcm_file
 from .codec import Codec, make_codecs
 from .errors import DecodeError, LcmFileError
+from .fate_columns import COLUMNS_TYPE, LIST_TYPE, FatesCodec
 from .message import Message, make_class
 from .schema import Schema
 from .seal import split_seal
@@ -61,7 +62,7 @@ class Types:
         self._left_out = schema.left_out
         for note in self._left_out.values():
             warnings.warn(note, stacklevel=2)
-        self._codecs = make_codecs(schema)
+        self._codecs = make_codecs(schema, {LIST_TYPE: FatesCodec})
         self._classes: dict[str, type[Message]] = {}
         self._by_name: dict[str, type[Message]] = {}
         self._by_fingerprint: dict[bytes, type[Message]] = {}
@@ -71,6 +72,8 @@ class Types:
             # Shoal's own names come first, and so do their fingerprints.
             self._by_name.setdefault(codec.struct.name, made)
             self._by_fingerprint.setdefault(codec.fingerprint_bytes, made)
+        columns = self._codecs[COLUMNS_TYPE].fingerprint_bytes
+        self._by_fingerprint[columns] = self._classes[LIST_TYPE]  # Both are read as lists.
 
     def __getitem__(self, name: str) -> type[Message]:
         found = self._classes.get(name) or self._by_name.get(name)

@@ -89,6 +89,7 @@ Channel<unc_controls_t> UncControls() { return {std::string(topics::kUncControls
 Channel<unc_controls_req_t> UncControlsReq() { return {std::string(topics::kUncControlsReq)}; }
 Channel<node_report_t> NodeReportUnc() { return {std::string(topics::kNodeReportUnc)}; }
 Channel<comms_fates_t> CommsFates() { return {std::string(topics::kCommsFates)}; }
+Channel<comms_fate_columns_t> CommsFateColumns() { return {std::string(topics::kCommsFates)}; }
 Channel<comms_media_t> CommsMedia() { return {std::string(topics::kCommsMedia)}; }
 Channel<broker_rules_t> CommsRules() { return {std::string(topics::kCommsRules)}; }
 Channel<broker_rules_t> CommsRulesNow() { return {std::string(topics::kCommsRulesNow)}; }
@@ -177,7 +178,7 @@ std::vector<ChannelRow> MakeTable() {
        "when needed", true},
       {topics::kRelayTx, kShore, "relay_t", "gateway", "shore_broker",
        "one per report, message or ack that it has received", true},
-      {topics::kCommsFates, kShore, "comms_fates_t", "shore_broker",
+      {topics::kCommsFates, kShore, "comms_fate_columns_t", "shore_broker",
        "netsim_manager, shoal, viewer", "steps with decisions", true},
       {topics::kCommsMedia, kShore, "comms_media_t", "shore_broker", "viewer, (shoal log comms)",
        "with [[medium]]: steps with decisions", true},

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lib/bus/bus/bus.h"
+#include "lib/bus/bus/fate_columns.h"
 #include "lib/comms/routing/control.h"
 #include "shoal/ack_message_t.hpp"
 #include "shoal/acomms_t.hpp"
@@ -24,7 +25,6 @@
 #include "shoal/broker_rules_t.hpp"
 #include "shoal/clock_command_t.hpp"
 #include "shoal/clock_state_t.hpp"
-#include "shoal/comms_fates_t.hpp"
 #include "shoal/comms_media_t.hpp"
 #include "shoal/comms_pulses_t.hpp"
 #include "shoal/comms_rules_req_t.hpp"
@@ -150,7 +150,8 @@ Channel<unc_control_t> Control(const ControlRow& row);
 Channel<unc_controls_t> UncControls();
 Channel<unc_controls_req_t> UncControlsReq();
 Channel<node_report_t> NodeReportUnc();
-Channel<comms_fates_t> CommsFates();
+Channel<comms_fates_t> CommsFates();               ///< To subscribe to: lib/bus/bus/fate_columns.h.
+Channel<comms_fate_columns_t> CommsFateColumns();  ///< The same, to publish.
 Channel<comms_media_t> CommsMedia();
 Channel<broker_rules_t> CommsRules();
 Channel<broker_rules_t> CommsRulesNow();

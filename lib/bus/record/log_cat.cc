@@ -16,7 +16,8 @@ std::string EventLine(const Schema& schema, const LogEvent& event) {
   AppendSeconds(event.utime, &line);
   line += ' ';
   AppendQuoted(event.channel, &line);
-  const RecognisedMessage message = Recognise(schema, event.data);
+  Bytes storage;
+  const RecognisedMessage message = RecogniseAsList(schema, event.data, &storage);
   if (message.type == nullptr) {
     return line +
            fmt::format(" ? ({}, {} bytes)", DescribeFingerprint(message.data), message.data.size());

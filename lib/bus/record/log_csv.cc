@@ -153,10 +153,11 @@ int LogCsv(const LogCsvOptions& options, std::ostream& out, std::ostream& err) {
     return kExitEnvironment;
   };
   std::set<std::string, std::less<>> channels;
+  Bytes storage;
   for (; event; event = reader->Next()) {
     if (!channels.contains(event->channel)) channels.emplace(event->channel);
     if (!IsSelected(options.selection, *event)) continue;
-    const RecognisedMessage message = Recognise(*schema, event->data);
+    const RecognisedMessage message = RecogniseAsList(*schema, event->data, &storage);
     if (!message.IsDecodable()) {
       ++left_out[std::string(event->channel)];
       continue;

@@ -22,7 +22,10 @@ using Counts = std::map<std::string, std::pair<int64_t, int64_t>, std::less<>>;
 bool AreEqual(const Schema& schema, const LogEvent& a, const LogEvent& b) {
   if (a.utime != b.utime || a.channel != b.channel) return false;
   if (std::ranges::equal(a.data, b.data)) return true;
-  return std::ranges::equal(Recognise(schema, a.data).data, Recognise(schema, b.data).data);
+  Bytes storage_a;
+  Bytes storage_b;
+  return std::ranges::equal(RecogniseAsList(schema, a.data, &storage_a).data,
+                            RecogniseAsList(schema, b.data, &storage_b).data);
 }
 
 bool IsLeftOut(const LogDiffOptions& options, std::string_view channel) {
@@ -50,8 +53,10 @@ std::string ByteText(std::span<const uint8_t> data, size_t at) {
 
 FieldDifference FindDifference(const Schema& schema, const LogEvent& event_a,
                                const LogEvent& event_b) {
-  const RecognisedMessage a = Recognise(schema, event_a.data);
-  const RecognisedMessage b = Recognise(schema, event_b.data);
+  Bytes storage_a;
+  Bytes storage_b;
+  const RecognisedMessage a = RecogniseAsList(schema, event_a.data, &storage_a);
+  const RecognisedMessage b = RecogniseAsList(schema, event_b.data, &storage_b);
   if (a.IsDecodable() && b.IsDecodable()) {
     if (a.type != b.type) return {"type", DisplayName(*a.type), DisplayName(*b.type)};
     const std::vector<Leaf> leaves_a = Leaves(schema, *a.type, a.data);

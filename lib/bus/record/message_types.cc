@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "lcmtypes/lcm_sources.h"
+#include "lib/bus/bus/fate_columns.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/bus/record/file_window.h"
 
@@ -57,6 +58,17 @@ RecognisedMessage Recognise(const Schema& schema, std::span<const uint8_t> logge
     const RecognisedMessage whole = recognise(logged);
     if (whole.IsDecodable()) return whole;
   }
+  return message;
+}
+
+RecognisedMessage RecogniseAsList(const Schema& schema, std::span<const uint8_t> logged,
+                                  Bytes* storage) {
+  RecognisedMessage message = Recognise(schema, logged);
+  if (!message.IsDecodable()) return message;
+  const std::span<const uint8_t> list = WithFatesAsList(message.data, storage);
+  if (list.data() == message.data.data()) return message;
+  message.data = list;
+  message.type = schema.FindByFingerprint(comms_fates_t::getHash());
   return message;
 }
 

@@ -9,6 +9,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/base/schema/walk.h"
+#include "lib/bus/bus/bus.h"
 
 namespace shoal {
 
@@ -25,6 +26,11 @@ struct RecognisedMessage {
 };
 
 RecognisedMessage Recognise(const Schema& schema, std::span<const uint8_t> logged);
+
+/// The same for what shows messages: one that has fates as columns becomes one that lists them
+/// (lib/bus/bus/fate_columns.h), as all logs had them, in `storage`.
+RecognisedMessage RecogniseAsList(const Schema& schema, std::span<const uint8_t> logged,
+                                  Bytes* storage);
 
 /// Returns "nav_t" for shoal's own types, "their.package.pose_t" for others.
 std::string DisplayName(const StructType& type);

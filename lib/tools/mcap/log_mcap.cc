@@ -59,7 +59,7 @@ class McapConversion {
   static constexpr int64_t kLatest_us = INT64_MAX / 1000;
 
   bool Add(const LogEvent& event) {
-    const RecognisedMessage message = Recognise(schema_, event.data);
+    const RecognisedMessage message = RecogniseAsList(schema_, event.data, &storage_);
     if (!message.IsDecodable()) return LeaveOut(event, "unknown type, or bytes that do not decode");
     if (event.utime < 0 || event.utime > kLatest_us) {
       return LeaveOut(event, "MCAP has no such time: its times are nanoseconds from 0 on");
@@ -169,6 +169,7 @@ class McapConversion {
   std::map<const StructType*, std::optional<uint16_t>> schemas_;
   std::unordered_map<std::string, std::optional<uint16_t>> shown_channels_;
   std::map<ShownKind, std::optional<uint16_t>> shown_schemas_;
+  Bytes storage_;  ///< Of the message at hand.
   std::map<std::pair<std::string, std::string_view>, int64_t> left_out_;
 };
 

@@ -7,6 +7,7 @@
 
 #include "lib/base/schema/walk.h"
 #include "lib/bus/bus/big_endian.h"
+#include "lib/bus/bus/fate_columns.h"
 #include "lib/bus/record/message_types.h"
 #include "lib/mission/toml/suggest.h"
 
@@ -108,6 +109,8 @@ const Schema& ShoalTypes() {
 
 Result<FieldReader> FieldReader::Find(const Schema& schema, std::string_view type,
                                       std::string_view path) {
+  // Fates are named as the list has them, whichever form they are published in.
+  if (type == "comms_fate_columns_t") type = "comms_fates_t";
   const StructType* level = schema.FindByName(fmt::format("shoal.{}", type));
   if (level == nullptr) return Error{fmt::format("there is no message type {}", Quoted(type))};
   FieldReader reader(schema, *level);
@@ -164,6 +167,10 @@ Result<FieldReader> FieldReader::Find(const Schema& schema, std::string_view typ
 }
 
 std::optional<double> FieldReader::Read(std::span<const uint8_t> message) const {
+  if (type_->fingerprint == comms_fates_t::getHash()) {
+    thread_local Bytes storage;
+    message = WithFatesAsList(message, &storage);
+  }
   if (!offset_) {
     PartFinder finder(parts_);
     if (Walk(*schema_, *type_, message, &finder)) return std::nullopt;

@@ -251,10 +251,11 @@ int LogSqlite(const LogSqliteOptions& options, std::ostream& out, std::ostream& 
   LogDatabase database(*schema, extra_keys, &file);
   std::map<std::string, int64_t> left_out;
   std::set<std::string, std::less<>> channels;
+  Bytes storage;
   for (; event && file.problem().empty(); event = reader->Next()) {
     if (!channels.contains(event->channel)) channels.emplace(event->channel);
     if (!IsSelected(options.selection, *event)) continue;
-    const RecognisedMessage message = Recognise(*schema, event->data);
+    const RecognisedMessage message = RecogniseAsList(*schema, event->data, &storage);
     if (!message.IsDecodable() || !database.Add(*event, message)) {
       ++left_out[std::string(event->channel)];
     }

@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "lib/tools/view/wire_reader.h"
+#include "shoal/comms_fate_columns_t.hpp"
 #include "shoal/comms_fates_t.hpp"
 
 namespace shoal {
@@ -51,6 +52,26 @@ OverrideRule FindOverride(std::string_view text) {
   return rule;
 }
 
+void ReadPath(WireReader* wire, FateView* fate) {
+  FateFacts& facts = fate->facts;
+  wire->Int64();  // The packet's own count.
+  facts.channel = wire->Int32();
+  facts.sent_utime = PlausibleUtime(wire->Int64());
+  wire->Int32();  // Bytes on the air.
+  facts.air_s = static_cast<float>(wire->Double());
+  facts.travel_s = static_cast<float>(wire->Double());
+  facts.jitter_s = static_cast<float>(wire->Double());
+  facts.snr_db = static_cast<float>(wire->Double());
+  facts.loss_probability = static_cast<float>(wire->Double());
+  facts.bit_error_probability = static_cast<float>(wire->Double());
+  facts.bits_flipped = wire->Int64();
+  facts.num_colliders = wire->Int32();
+  facts.own_packet = wire->Int64();
+  fate->colliders.clear();
+  const size_t num_named = wire->Count(kLeastTextBytes);
+  for (size_t k = 0; k < num_named && wire->ok(); ++k) fate->colliders.push_back(wire->Text());
+}
+
 /// Reads one fate. Returns false where its kind or cause is unknown, after reading to its end.
 bool ReadFate(WireReader* wire, FateView* fate) {
   FateFacts& facts = fate->facts;
@@ -73,26 +94,165 @@ bool ReadFate(WireReader* wire, FateView* fate) {
   const size_t num_paths = wire->Count(1);
   facts.has_path = num_paths > 0;
   fate->colliders.clear();
-  for (size_t i = 0; i < num_paths && wire->ok(); ++i) {
-    wire->Int64();  // The packet's own count.
-    facts.channel = wire->Int32();
-    facts.sent_utime = PlausibleUtime(wire->Int64());
-    wire->Int32();  // Bytes on the air.
-    facts.air_s = static_cast<float>(wire->Double());
-    facts.travel_s = static_cast<float>(wire->Double());
-    facts.jitter_s = static_cast<float>(wire->Double());
-    facts.snr_db = static_cast<float>(wire->Double());
-    facts.loss_probability = static_cast<float>(wire->Double());
-    facts.bit_error_probability = static_cast<float>(wire->Double());
-    facts.bits_flipped = wire->Int64();
-    facts.num_colliders = wire->Int32();
-    facts.own_packet = wire->Int64();
-    fate->colliders.clear();
-    const size_t num_named = wire->Count(kLeastTextBytes);
-    for (size_t k = 0; k < num_named && wire->ok(); ++k) fate->colliders.push_back(wire->Text());
-  }
+  for (size_t i = 0; i < num_paths && wire->ok(); ++i) ReadPath(wire, fate);
   return is_known;
 }
+
+/// A column of numbers on the wire, read one by one.
+template <class T>
+std::vector<T> ColumnOf(WireReader* wire, T (WireReader::*next)()) {
+  std::vector<T> column(wire->Count(sizeof(T)));
+  for (T& each : column) each = (wire->*next)();
+  return column;
+}
+
+/// Reads columns in place: what ListOf (lib/bus/bus/fate_columns.h) does, without copies of texts.
+class ColumnsReader {
+ public:
+  explicit ColumnsReader(WireReader* wire) : wire_(*wire) {}
+
+  /// Returns false where the columns do not fit one another, or the bytes end too early.
+  bool Read(FatesView* message) {
+    ReadSenders();
+    ReadCases();
+    names_.resize(wire_.Count(kLeastTextBytes));
+    for (std::string_view& name : names_) name = wire_.Text();
+    const size_t num_fates = wire_.Count(2 * sizeof(int16_t));
+    destinations_.resize(num_fates);
+    which_.resize(num_fates);
+    for (int16_t& each : destinations_) each = wire_.Int16();
+    for (int16_t& each : which_) each = wire_.Int16();
+    ranges_ = ColumnOf(&wire_, &WireReader::Double);
+    waits_ = ColumnOf(&wire_, &WireReader::Double);
+    counts_ = ColumnOf(&wire_, &WireReader::Int32);
+    paths_left_ = wire_.Count(kLeastPathBytes);
+    if (message->fates.size() < num_fates) message->fates.resize(num_fates);
+    for (size_t i = 0; i < num_fates && wire_.ok(); ++i) {
+      FateView& fate = message->fates[message->num_fates];
+      bool is_known = false;
+      if (!ReadFate(i, message->utime, &fate, &is_known)) return false;
+      if (is_known) {
+        ++message->num_fates;
+      } else {
+        ++message->num_strange;
+      }
+    }
+    return num_left_ == 0 && sender_ == senders_.size() && range_ == ranges_.size() &&
+           wait_ == waits_.size() && count_ == counts_.size() && paths_left_ == 0;
+  }
+
+ private:
+  struct Sender {
+    FateFacts facts;
+    std::string_view source;
+    int32_t num_fates;
+    bool is_known;
+  };
+  struct Case {
+    FateFacts facts;
+    bool has_range;
+    bool has_wait;
+    bool has_count;
+    bool is_known;
+  };
+  static constexpr size_t kLeastSenderBytes = 2 * kLeastTextBytes + 8 + 4;
+  static constexpr size_t kLeastCaseBytes = 2 * kLeastTextBytes + size_t{4} * 8 + size_t{2} * 4 + 4;
+  static constexpr size_t kLeastPathBytes = size_t{10} * 8 + size_t{4} * 4;
+
+  void ReadSenders() {
+    senders_.resize(wire_.Count(kLeastSenderBytes));
+    Kind kind = Kind::kReport;
+    for (Sender& sender : senders_) {
+      sender.facts = {};
+      sender.is_known = FindKind(wire_.Text(), &kind);
+      sender.facts.kind = kind;
+      sender.source = wire_.Text();
+      sender.facts.number = wire_.Int64();
+      sender.num_fates = wire_.Int32();
+    }
+  }
+
+  void ReadCases() {
+    cases_.resize(wire_.Count(kLeastCaseBytes));
+    Cause cause = Cause::kDelivered;
+    for (Case& each : cases_) {
+      FateFacts& facts = each.facts = {};
+      each.is_known = FindCause(wire_.Text(), &cause);
+      facts.cause = cause;
+      facts.override_rule = FindOverride(wire_.Text());
+      facts.limit_m = static_cast<float>(wire_.Double());
+      facts.age_s = static_cast<float>(wire_.Double());
+      facts.age_limit_s = static_cast<float>(wire_.Double());
+      facts.loss_pct = static_cast<float>(wire_.Double());
+      facts.length_bytes = wire_.Int32();
+      facts.length_limit_bytes = wire_.Int32();
+      each.has_range = wire_.Boolean();
+      each.has_wait = wire_.Boolean();
+      each.has_count = wire_.Boolean();
+      facts.has_path = wire_.Boolean();
+    }
+  }
+
+  template <class T>
+  static bool Take(bool is_there, const std::vector<T>& column, size_t* next, T* value) {
+    if (!is_there) return true;
+    if (*next == column.size()) return false;
+    *value = column[(*next)++];
+    return true;
+  }
+
+  bool ReadFate(size_t i, int64_t utime, FateView* fate, bool* is_known) {
+    for (; num_left_ <= 0; num_left_ = senders_[sender_++].num_fates) {
+      if (sender_ == senders_.size()) return false;
+    }
+    --num_left_;
+    const Sender& sender = senders_[sender_ - 1];
+    const auto which = static_cast<size_t>(which_[i]);
+    const auto destination = static_cast<size_t>(destinations_[i]);
+    if (which >= cases_.size() || destination >= names_.size()) return false;
+    const Case& of = cases_[which];
+    double range_m = -1;
+    double wait_s = -1;
+    int32_t count = 1;
+    if (!Take(of.has_range, ranges_, &range_, &range_m) ||
+        !Take(of.has_wait, waits_, &wait_, &wait_s) ||
+        !Take(of.has_count, counts_, &count_, &count)) {
+      return false;
+    }
+    FateFacts& facts = fate->facts = of.facts;
+    facts.utime = utime;
+    facts.kind = sender.facts.kind;
+    facts.number = sender.facts.number;
+    facts.count = std::max(count, 0);
+    facts.range_m = static_cast<float>(range_m);
+    facts.wait_s = static_cast<float>(wait_s);
+    fate->source = sender.source;
+    fate->destination = names_[destination];
+    fate->colliders.clear();
+    if (facts.has_path) {
+      if (paths_left_-- == 0) return false;
+      ReadPath(&wire_, fate);
+    }
+    *is_known = sender.is_known && of.is_known;
+    return true;
+  }
+
+  WireReader& wire_;
+  std::vector<Sender> senders_;
+  std::vector<Case> cases_;
+  std::vector<std::string_view> names_;
+  std::vector<int16_t> destinations_;
+  std::vector<int16_t> which_;
+  std::vector<double> ranges_;
+  std::vector<double> waits_;
+  std::vector<int32_t> counts_;
+  size_t paths_left_ = 0;
+  size_t sender_ = 0;  ///< The next one.
+  int32_t num_left_ = 0;
+  size_t range_ = 0;
+  size_t wait_ = 0;
+  size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -100,8 +260,16 @@ bool ReadFates(std::span<const uint8_t> data, FatesView* message) {
   message->num_fates = 0;
   message->num_strange = 0;
   WireReader wire(data);
-  if (wire.Int64() != comms_fates_t::getHash()) return false;
+  const int64_t fingerprint = wire.Int64();
+  const bool is_columns = fingerprint == comms_fate_columns_t::getHash();
+  if (!is_columns && fingerprint != comms_fates_t::getHash()) return false;
   message->utime = PlausibleUtime(wire.Int64());
+  if (is_columns) {
+    if (ColumnsReader(&wire).Read(message) && wire.ok() && wire.at_end()) return true;
+    message->num_fates = 0;
+    message->num_strange = 0;
+    return false;
+  }
   const size_t count = wire.Count(kLeastFateBytes);
   if (message->fates.size() < count) message->fates.resize(count);
   for (size_t i = 0; i < count && wire.ok(); ++i) {

@@ -75,6 +75,76 @@ RC_GTEST_PROP(ReadFates, RefusesWhatTheGeneratedCodeRefuses, ()) {
   if (!is_read) RC_ASSERT(message.all().empty());
 }
 
+/// Each fate with a sender and a case of its own, as columns may have them.
+comms_fate_columns_t ColumnsOf(const comms_fates_t& list) {
+  comms_fate_columns_t columns{};
+  columns.utime = list.utime;
+  for (const fate_t& fate : list.fates) {
+    columns.senders.push_back({fate.kind, fate.source, fate.number, 1});
+    fate_case_t of{};
+    of.cause = fate.cause;
+    of.override_rule = fate.override_rule;
+    of.limit_m = fate.limit_m;
+    of.age_s = fate.age_s;
+    of.age_limit_s = fate.age_limit_s;
+    of.loss_pct = fate.loss_pct;
+    of.length_bytes = fate.length_bytes;
+    of.length_limit_bytes = fate.length_limit_bytes;
+    of.has_range = of.has_wait = of.has_count = 1;
+    of.has_path = static_cast<int8_t>(fate.num_paths);
+    columns.cases.push_back(of);
+    columns.names.push_back(fate.destination);
+    columns.destination.push_back(static_cast<int16_t>(columns.destination.size()));
+    columns.which_case.push_back(static_cast<int16_t>(columns.which_case.size()));
+    columns.range_m.push_back(fate.range_m);
+    columns.wait_s.push_back(fate.wait_s);
+    columns.count.push_back(fate.count);
+    columns.path.insert(columns.path.end(), fate.path.begin(), fate.path.end());
+  }
+  const auto size = [](const auto& column) { return static_cast<int32_t>(column.size()); };
+  columns.num_senders = size(columns.senders);
+  columns.num_cases = size(columns.cases);
+  columns.num_names = size(columns.names);
+  columns.num_fates = size(columns.destination);
+  columns.num_ranges = size(columns.range_m);
+  columns.num_waits = size(columns.wait_s);
+  columns.num_counts = size(columns.count);
+  columns.num_paths = size(columns.path);
+  return columns;
+}
+
+RC_GTEST_PROP(ReadFates, ReadsColumnsAsTheListThatTheyStandFor, ()) {
+  std::vector<fate_t> fates(*rc::gen::inRange<size_t>(0, 8));
+  for (fate_t& fate : fates) fate = DrawFate();
+  const comms_fates_t list = FatesOf(7'000'000, fates);
+  FatesView of_list;
+  FatesView of_columns;
+  const Bytes as_list = Encoded(list);
+  RC_ASSERT(ReadFates(as_list, &of_list));
+  const Bytes columns = Encoded(ColumnsOf(list));
+  RC_ASSERT(ReadFates(columns, &of_columns));
+  RC_ASSERT(of_columns.num_fates == of_list.num_fates);
+  for (size_t i = 0; i < of_list.num_fates; ++i) {
+    RC_ASSERT(AreSame(of_columns.fates[i], of_list.fates[i]));
+  }
+}
+
+RC_GTEST_PROP(ReadFates, RefusesColumnsThatTheGeneratedCodeRefuses, ()) {
+  Bytes bytes = Encoded(ColumnsOf(FatesOf(7, {DrawFate(), DrawFate()})));
+  const int num_changes = *rc::gen::inRange(0, 4);
+  for (int i = 0; i < num_changes; ++i) {
+    bytes[*rc::gen::inRange<size_t>(0, bytes.size())] =
+        *rc::gen::element<uint8_t>(0, 1, 2, 7, 127, 255);
+  }
+  bytes.resize(
+      *rc::gen::oneOf(rc::gen::just(bytes.size()), rc::gen::inRange<size_t>(0, bytes.size())));
+  comms_fates_t decoded;
+  FatesView message;
+  const bool is_read = ReadFates(bytes, &message);
+  RC_ASSERT(is_read == Decode(bytes, &decoded));
+  if (!is_read) RC_ASSERT(message.all().empty());
+}
+
 TEST(ReadFates, CountsFatesOfUnknownKindOrCauseAndReadsOn) {
   fate_t odd_kind = FateOf("alpha", "bravo", "delivered");
   odd_kind.kind = "rumour";

@@ -20,6 +20,8 @@ class WireReader {
 
   int64_t Int64() { return static_cast<int64_t>(Word<uint64_t>()); }
   int32_t Int32() { return static_cast<int32_t>(Word<uint32_t>()); }
+  int16_t Int16() { return static_cast<int16_t>(Word<uint16_t>()); }
+  bool Boolean() { return Word<uint8_t>() != 0; }
   double Double() { return std::bit_cast<double>(Word<uint64_t>()); }
   /// Returns the text without its closing zero, which must be the only one.
   std::string_view Text() {
@@ -60,8 +62,10 @@ class WireReader {
     if constexpr (std::endian::native == std::endian::little) {
       if constexpr (sizeof(T) == 8) {
         word = __builtin_bswap64(word);
-      } else {
+      } else if constexpr (sizeof(T) == 4) {
         word = __builtin_bswap32(word);
+      } else if constexpr (sizeof(T) == 2) {
+        word = __builtin_bswap16(word);
       }
     }
     return word;
