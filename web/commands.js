@@ -216,7 +216,19 @@ export class Commands {
       element('div', {class: 'buttons'},
         this.#clockButton('pause', '❚❚ Pause', 'hold the mission'),
         this.#clockButton('resume', '▶ Resume', 'go on')),
-      element('div', {class: 'buttons tight', 'aria-label': 'Warp'}, warps));
+      element('div', {class: 'buttons tight', 'aria-label': 'Warp'}, warps), this.#seek());
+  }
+
+  /** Of a playback alone: a mission cannot be moved in time, and refuses it. */
+  #seek() {
+    const seconds = element('input', {type: 'number', min: 0, step: 'any', 'aria-label':
+      'Seconds since the begin of the recording'});
+    return element('form', {class: 'buttons', id: 'seek', title: 'of a playback (shoal play)',
+      onsubmit: (event) => {
+        event.preventDefault();
+        if (seconds.value !== '') this.send('clock', ['seek', seconds.value]);
+      }}, element('label', {}, 'Playback: go to ', seconds, ' s '),
+    element('button', {type: 'submit'}, 'Go'));
   }
 }
 

@@ -84,8 +84,10 @@ int RunSend(const SendOptions& options) {
     fmt::print(stderr, "shoal: {}\n", mission.error());
     return kExitEnvironment;
   }
-  const OrderScope scope = {
-      .mission = mission->name, .vehicles = mission->vehicles, .groups = mission->groups};
+  const OrderScope scope = {.mission = mission->name,
+                            .vehicles = mission->vehicles,
+                            .groups = mission->groups,
+                            .is_playback = !mission->playback_of.empty()};
   const Result<Order> order = ParseOrder(scope, options.target, options.words);
   if (!order.ok()) {
     fmt::print(stderr, "shoal: {}\n", order.error());

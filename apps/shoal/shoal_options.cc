@@ -16,6 +16,7 @@
 #include "apps/shoal/host_doctor.h"
 #include "apps/shoal/host_options.h"
 #include "apps/shoal/send_command.h"
+#include "apps/shoal/spy_command.h"
 #include "apps/shoal/status_command.h"
 #include "lib/base/check/result.h"
 #include "lib/mission/file/drawn_seed.h"
@@ -316,6 +317,23 @@ void AddStatus(Command shoal, CommandAction* action) {
   });
 }
 
+void AddSpy(Command shoal, CommandAction* action) {
+  const Command command =
+      shoal.AddSubcommand("spy", "Start lcm-spy on a running mission, with shoal's message types");
+  auto options = std::make_shared<SpyOptions>();
+  const Option port = AddPort(command, &options->port_base);
+  const Option vehicle = command.AddOption("VEHICLE", &options->vehicle,
+                                           "Of this vehicle's community; default: the shore");
+  command
+      .AddOption("--url", &options->url,
+                 "Any LCM bus instead, e.g. 'udpm://239.255.76.67:7667?ttl=0'")
+      .Excludes(port)
+      .Excludes(vehicle);
+  command.AddOption("--types", &options->types, "A jar of message types that are not shoal's")
+      .Repeatable();
+  command.Callback([options, action] { *action = [options] { return RunSpy(*options); }; });
+}
+
 void AddDoctor(Command shoal, CommandAction* action) {
   const Command command =
       shoal.AddSubcommand("doctor", "Show what keeps missions from running on this machine");
@@ -352,6 +370,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddMessage(shoal, &action);
   AddSend(shoal, &action);
   AddStatus(shoal, &action);
+  AddSpy(shoal, &action);
   AddView(shoal, &action);
   AddHostCommands(shoal, &action);
   ListToolCommands(shoal, "");

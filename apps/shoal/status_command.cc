@@ -109,27 +109,27 @@ int RunStatus(const StatusOptions& options) {
   return kExitOk;
 }
 
-int RunUrl(int port_base, const std::string& vehicle) {
+Result<std::string> UrlOf(int port_base, const std::string& vehicle) {
   const Result<RunningMission> mission = FindRunningMission(port_base);
-  if (!mission.ok()) {
-    fmt::print(stderr, "shoal: {}\n", mission.error());
-    return kExitEnvironment;
-  }
+  if (!mission.ok()) return Error{mission.error()};
   const PortPlan ports = mission->Ports();
-  int port = ports.shore_port();
-  if (!vehicle.empty()) {
-    bool found = false;
-    for (const std::string& name : mission->vehicles) {
-      found = found || UpperCase(name) == UpperCase(vehicle);
+  if (vehicle.empty()) return LcmUrl(ports.shore_port());
+  for (const std::string& name : mission->vehicles) {
+    if (UpperCase(name) == UpperCase(vehicle)) {
+      return LcmUrl(ports.PortOf(channels::Nav(vehicle).name));
     }
-    if (!found) {
-      fmt::print(stderr, "shoal: no vehicle '{}' in {}; it has: {}\n", vehicle, mission->name,
-                 fmt::join(mission->vehicles, ", "));
-      return kExitUsage;
-    }
-    port = ports.PortOf(channels::Nav(vehicle).name);
   }
-  fmt::print("{}\n", LcmUrl(port));
+  return Error{fmt::format("no vehicle '{}' in {}; it has: {}", vehicle, mission->name,
+                           fmt::join(mission->vehicles, ", "))};
+}
+
+int RunUrl(int port_base, const std::string& vehicle) {
+  const Result<std::string> url = UrlOf(port_base, vehicle);
+  if (!url.ok()) {
+    fmt::print(stderr, "shoal: {}\n", url.error());
+    return url.error().starts_with("no vehicle") ? kExitUsage : kExitEnvironment;
+  }
+  fmt::print("{}\n", *url);
   return kExitOk;
 }
 

@@ -23,6 +23,10 @@ struct StatusOptions {
 /// Prints status pages. Returns the exit code.
 int RunStatus(const StatusOptions& options);
 
+/// Returns the LCM URL of a running mission's shore, or of a vehicle's community. The error of a
+/// vehicle that it does not have begins with "no vehicle".
+[[nodiscard]] Result<std::string> UrlOf(int port_base, const std::string& vehicle);
+
 /// Prints the LCM URL of the shore, or of a vehicle's community. Returns the exit code.
 int RunUrl(int port_base, const std::string& vehicle);
 

@@ -32,7 +32,10 @@ constexpr int64_t kCommunitiesInterval_us = 50'000;
 /// Loads the mission as it runs; or makes one of what the registry holds of it.
 Mission MissionOf(const RunningMission& running, std::vector<std::string>* notes) {
   LoadedMission loaded = LoadMission(running.file, running.overrides);
-  if (loaded.errors.empty()) return std::move(loaded.mission);
+  if (loaded.errors.empty()) {
+    if (!running.playback_of.empty()) loaded.mission.name = running.name;
+    return std::move(loaded.mission);
+  }
   notes->push_back(fmt::format(
       "the mission file cannot be read, so that only names are known of the vehicles: {}",
       loaded.errors.front()));
@@ -94,10 +97,12 @@ void MissionSession::Join(bool allow_commands) {
   Subscribe(*bus_, channels::Appcast(),
             [this](const appcast_t& page) { board_.Take(page, now_us_); });
   if (!allow_commands) return;
-  desk_ = std::make_unique<CommandDesk>(*bus_, OrderScope{.mission = running_.name,
-                                                          .vehicles = running_.vehicles,
-                                                          .mission_id = running_.mission_id,
-                                                          .groups = running_.groups});
+  desk_ = std::make_unique<CommandDesk>(*bus_,
+                                        OrderScope{.mission = running_.name,
+                                                   .vehicles = running_.vehicles,
+                                                   .mission_id = running_.mission_id,
+                                                   .groups = running_.groups,
+                                                   .is_playback = !running_.playback_of.empty()});
 }
 
 std::string MissionSession::error() const {

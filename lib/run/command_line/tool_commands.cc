@@ -28,6 +28,7 @@ struct ToolCommand {
 
 constexpr ToolCommand kToolCommands[] = {
     {"", "log", "shoal-log", "Read logs"},
+    {"", "play", "shoal-play", "Publish a recording on LCM, as if its mission ran"},
     {"", "import", "shoal-import", "Make a mission of MOOS-IvP mission files (.moos, .bhv)"},
     {"", "plot", "shoal-plot", "Draw a log's tracks and curves (gnuplot)"},
     {"", "rebroker", "shoal-rebroker", "Route the recorded reports again, by other rules"},

@@ -99,6 +99,12 @@ bool HasVehicle(const OrderScope& scope, std::string_view name) {
 
 Result<Order> ParseOrder(const OrderScope& scope, std::string_view target,
                          std::span<const std::string> words) {
+  if (scope.is_playback && target != kClock) {
+    return Error{
+        fmt::format("{}: a recording takes no orders; `clock` alone can be the target: "
+                    "pause, resume, warp N, seek SECONDS",
+                    scope.mission)};
+  }
   const std::vector<std::string> vehicles = VehiclesOf(scope, target);
   if (vehicles.empty()) {
     if (const auto group = GroupNamed(target)) return Error{UnknownGroup(scope, *group)};

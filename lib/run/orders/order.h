@@ -60,6 +60,7 @@ struct OrderScope {
   std::vector<std::string> vehicles;
   int64_t mission_id = 0;  ///< Of the clock that answers; 0: any.
   std::map<std::string, std::vector<std::string>> groups = {};  ///< Members by group.
+  bool is_playback = false;  ///< Of a recording: it takes orders to its clock alone.
 };
 
 /// Returns what target and words ask for, or what is wrong with them. A target is a vehicle, "all",

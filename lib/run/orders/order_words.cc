@@ -61,6 +61,7 @@ const std::vector<CommandShape>& ClockCommands() {
       {"pause", false, {0}, "hold the whole mission"},
       {"resume", false, {0}, "let it go on"},
       {"warp", true, {0}, "N: N mission seconds per wall second; max: as fast as possible"},
+      {"seek", true, {0}, "S: of `shoal play`: go on S seconds behind the log's begin"},
   };
   return shapes;
 }
@@ -187,6 +188,15 @@ Result<clock_command_t> ParseClockWords(std::span<const std::string> words) {
   if (!arguments.ok()) return Error{arguments.error()};
   clock_command_t command{};
   command.command = words[0];
+  if (words[0] == "seek") {
+    const std::optional<double> to_s = ReadNumber<double>(arguments->text);
+    if (!to_s || !(*to_s >= 0)) {
+      return Error{fmt::format("{} is no time: give seconds since the log's begin",
+                               Quoted(arguments->text))};
+    }
+    command.command = fmt::format("seek {}", *to_s);
+    return command;
+  }
   if (words[0] != "warp") return command;
   const std::optional<double> warp = ParseWarp(arguments->text);
   if (!warp) {

@@ -94,6 +94,7 @@ std::optional<RunningMission> ReadEntry(const std::string& name) {
       mission.layout = value == "communities" ? Layout::kCommunities : Layout::kShared;
     }
     if (key == "grouping") mission.grouping = value;
+    if (key == "playback_of") mission.playback_of = value;
     if (key == "pid") mission.pid = ReadNumber<int>(value).value_or(0);
     if (key == "vehicle") mission.vehicles.push_back(value);
     if (key == "without_helm") mission.without_helm.push_back(value);
@@ -200,6 +201,7 @@ Result<bool> Register(const RunningMission& mission) {
   add("port_base", std::to_string(mission.port_base));
   add("layout", std::string(Name(mission.layout)));
   add("grouping", mission.grouping);
+  if (!mission.playback_of.empty()) add("playback_of", mission.playback_of);
   add("pid", std::to_string(mission.pid));
   for (const std::string& vehicle : mission.vehicles) add("vehicle", vehicle);
   for (const std::string& vehicle : mission.without_helm) add("without_helm", vehicle);
@@ -283,7 +285,10 @@ Result<RunningMission> FindRunningMission(int port_base, Purpose purpose) {
 }
 
 std::string Describe(const RunningMission& mission) {
-  return fmt::format("{} ({}), ports from {}", mission.name, mission.file, mission.port_base);
+  return fmt::format(
+      "{} ({}), ports from {}", mission.name,
+      mission.playback_of.empty() ? mission.file : "PLAYBACK of " + mission.playback_of,
+      mission.port_base);
 }
 
 std::string WorkingFolder() {

@@ -24,6 +24,7 @@ struct RunningMission {
   std::string grouping = "app";  ///< Which participants share a process: lib/run/run/grouping.h.
   int pid = 0;                   ///< Of the launcher.
   std::vector<std::string> vehicles;
+  std::string playback_of = {};  ///< A log that `shoal play` plays; empty: a mission runs.
   std::vector<std::string> without_helm = {};  ///< Those of them that have helm = "none".
   std::vector<std::string> overrides = {};     ///< `--set` of the run.
   std::map<std::string, std::vector<std::string>> groups = {};  ///< Members by group.

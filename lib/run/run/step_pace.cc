@@ -52,6 +52,9 @@ void StepPace::ForgiveStall(int64_t wall_us) {
 
 std::string StepPace::Execute(const clock_command_t& command, int64_t wall_us) {
   const bool is_warp = command.command == "warp";
+  if (command.command.starts_with("seek")) {
+    return "a mission cannot be moved in time; the playback of a recording can (shoal play)";
+  }
   if (!is_warp && command.command != "pause" && command.command != "resume") {
     return fmt::format("unknown command '{}': pause, resume or warp", Printable(command.command));
   }

@@ -1,0 +1,144 @@
+#include "apps/shoal_play/play_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "lib/base/check/result.h"
+#include "lib/base/time/seconds.h"
+#include "lib/bus/bus/multicast_fault.h"
+#include "lib/mission/file/recorded_mission.h"
+#include "lib/run/launch/launch_plan.h"
+#include "lib/run/launch/launch_signals.h"
+
+namespace shoal {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Of a log without a mission, and so without steps: as often its messages are published.
+constexpr int64_t kTickOfOtherLogs_us = 20'000;
+/// Its messages are spread over as many steps at most.
+constexpr int64_t kMostSteps = 10'000'000;
+
+int Refuse(int code, const std::string& why) {
+  fmt::print(stderr, "shoal: {}\n", why);
+  return code;
+}
+
+std::string Stem(const std::string& path) {
+  std::string name = fs::path(path).filename().string();
+  return name.substr(0, name.find('.'));
+}
+
+/// Prints how participants are started beside the playback.
+void PrintHandCommands(const PlayOptions& options, const Mission& mission, const PortPlan& ports,
+                       int64_t mission_id) {
+  const RunOptions run;
+  const LaunchContext context = {.options = run,
+                                 .mission = mission,
+                                 .ports = ports,
+                                 .mission_id = mission_id,
+                                 .log_dir = {},
+                                 .log_path = {}};
+  for (const std::string& name : options.participants) {
+    fmt::print("Start {} with:\n ", name);
+    for (const std::string& each : ParticipantEnvironment(name, context)) {
+      // Each time it is moved in the log another mission begins.
+      if (!each.starts_with("SHOAL_MISSION_ID=")) fmt::print(" {}", each);
+    }
+    fmt::print(" COMMAND\n");
+  }
+}
+
+}  // namespace
+
+Mission MissionToPlay(const PlaybackLog& log) {
+  RecordedMission recorded = FindMissionBeside(log.path());
+  if (recorded.mission) {
+    Mission mission = std::move(*recorded.mission);
+    mission.name = "playback of " + mission.name;
+    return mission;
+  }
+  for (const std::string& error : recorded.errors) {
+    fmt::print(stderr, "shoal: the mission beside the log does not load: {}\n", error);
+  }
+  Mission mission;
+  mission.name = "playback of " + Stem(log.path());
+  mission.tick_us =
+      std::max(kTickOfOtherLogs_us, (log.last_utime() - log.first_utime()) / kMostSteps);
+  mission.start_utime = log.first_utime();
+  mission.duration_s = Seconds(log.last_utime() - log.first_utime());
+  for (const std::string& name : log.vehicles()) {
+    Vehicle vehicle;
+    vehicle.name = name;
+    mission.vehicles.push_back(std::move(vehicle));
+  }
+  return mission;
+}
+
+int RunPlay(const PlayOptions& options) {
+  Result<PlaybackLog> log = PlaybackLog::Open(options.path);
+  if (!log.ok()) return Refuse(kExitEnvironment, log.error());
+  const double length_s = Seconds(log->last_utime() - log->first_utime());
+  if (options.from_s > length_s) {
+    return Refuse(kExitUsage, fmt::format("--from {} is behind the end: {} has {:.1f} s",
+                                          options.from_s, log->path(), length_s));
+  }
+  if (std::ranges::count(options.participants, kPlaybackName) > 0) {
+    return Refuse(kExitUsage, "--participant playback: that is the playback itself");
+  }
+  if (const std::string fault = MulticastFault(); !fault.empty()) {
+    return Refuse(kExitEnvironment, fault);
+  }
+  const Mission mission = MissionToPlay(*log);
+  std::vector<std::string> vehicles;
+  for (const Vehicle& vehicle : mission.vehicles) vehicles.push_back(vehicle.name);
+  const Layout layout = PortPlan::Suggest(static_cast<int>(vehicles.size()));
+  const int num_ports = PortPlan::NumPorts(layout, static_cast<int>(vehicles.size()));
+  const Result<int> base = ClaimPorts(options.port_base, num_ports);
+  if (!base.ok()) return Refuse(kExitEnvironment, base.error());
+  std::optional<LogWriter> answers;
+  if (!options.answers_path.empty()) {
+    std::error_code error;
+    if (fs::equivalent(options.answers_path, log->path(), error)) {
+      return Refuse(kExitUsage, fmt::format("--answers {} is the log itself; name another file",
+                                            options.answers_path));
+    }
+    Result<LogWriter> made = LogWriter::Create(options.answers_path);
+    if (!made.ok()) return Refuse(kExitEnvironment, made.error());
+    answers.emplace(std::move(*made));
+  }
+  std::error_code error;
+  const RunningMission running{.name = mission.name,
+                               .file = mission.file.empty() ? fs::absolute(log->path()).string()
+                                                            : fs::absolute(mission.file).string(),
+                               .folder = WorkingFolder(),
+                               .port_base = *base,
+                               .layout = layout,
+                               .pid = getpid(),
+                               .vehicles = vehicles,
+                               .playback_of = fs::absolute(log->path()).lexically_normal().string(),
+                               .groups = GroupsOf(mission)};
+  fmt::print("{}: {:.1f} s of {}, LCM ports {} to {} ({})\n", mission.name, length_s, log->path(),
+             *base, *base + num_ports - 1, Name(layout));
+  PrintHandCommands(options, mission, running.Ports(), 0);
+  std::fflush(stdout);
+  int code = 0;
+  {
+    const int signal_fd = BlockSignals();
+    Player player(options, &*log, mission, running, answers ? &*answers : nullptr, signal_fd);
+    code = player.Run();
+    close(signal_fd);
+  }
+  Unregister(*base);
+  if (!answers) return code;
+  if (const auto failed = answers->Close()) return Refuse(kExitEnvironment, failed->message);
+  fmt::print("Answers: {} messages in {}\n", answers->counters().events, options.answers_path);
+  return code;
+}
+
+}  // namespace shoal

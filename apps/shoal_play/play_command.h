@@ -1,0 +1,17 @@
+// `shoal play`: a recording on LCM, as if its mission ran.
+#pragma once
+
+#include <string>
+
+#include "apps/shoal_play/player.h"
+
+namespace shoal {
+
+/// Returns the exit code: 0, kExitUsage for a log or names that do not serve, kExitEnvironment.
+int RunPlay(const PlayOptions& options);
+
+/// Returns the mission that a recording is of: the one beside it, as far as its playing is
+/// concerned; else one made of what the log holds.
+[[nodiscard]] Mission MissionToPlay(const PlaybackLog& log);
+
+}  // namespace shoal

@@ -1,0 +1,11 @@
+// The command line of `shoal play`.
+#pragma once
+
+#include "lib/run/command_line/command.h"
+#include "lib/run/command_line/command_line.h"
+
+namespace shoal {
+
+void AddPlayOptions(Command command, CommandAction* action);
+
+}  // namespace shoal

@@ -1,0 +1,74 @@
+// The participant that publishes what a log holds, step by step, as the mission did; and writes
+// what others publish beside it into a second log.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "apps/shoal_play/playback_log.h"
+#include "lib/bus/bus/bus.h"
+#include "lib/bus/record/channel_choice.h"
+#include "lib/bus/record/log_writer.h"
+#include "lib/run/run/app.h"
+
+namespace shoal {
+
+/// In its seals, and in `shoal status`.
+inline constexpr char kPlaybackName[] = "playback";
+
+struct PlaybackCounts {
+  int64_t played = 0;
+  int64_t bytes = 0;
+  /// Of the stepping and of LCM itself, which make their own; or with names that LCM cannot send.
+  int64_t left_out = 0;
+  int64_t not_chosen = 0;
+  int64_t answers = 0;  ///< Of others, in the second log.
+};
+
+/// Returns true for what is published again: not ticks, orders to the clock, requests and their
+/// answers, nor LCM's own.
+[[nodiscard]] bool IsPlayed(std::string_view channel);
+
+class PlaybackApp : public App {
+ public:
+  /// `log` and `answers` must outlive this, `answers` nullptr: there is no second log. What stands
+  /// in the log from where it is at now is played.
+  PlaybackApp(PlaybackLog* log, const ChannelChoice& channels, int64_t tick_us, LogWriter* answers,
+              Bus& bus);
+
+  /// Publishes the events of this step.
+  void Tick(int64_t utime) override;
+  void End() override { FlushAnswers(); }
+  std::string Fault() const override { return fault_; }
+  StatusPage Status() const override;
+
+  /// A viewer that comes late asks for the rules.
+  std::vector<std::string> RequestChannels() const override;
+  std::optional<RequestAnswer> Answer(std::string_view channel,
+                                      std::span<const uint8_t> data) const override;
+
+  const PlaybackCounts& counts() const { return counts_; }
+  /// True where all events have been published.
+  bool is_at_end() const { return is_at_end_; }
+
+ private:
+  void PublishEvent(const LogEvent& event);
+  void FlushAnswers();
+
+  PlaybackLog& log_;
+  const ChannelChoice channels_;
+  const int64_t tick_us_;
+  LogWriter* const answers_;
+  Bus& bus_;
+  int64_t utime_ = 0;
+  std::optional<LogEvent> next_;
+  Bytes rules_;  ///< The last.
+  bool is_at_end_ = false;
+  PlaybackCounts counts_;
+  std::string fault_;
+};
+
+}  // namespace shoal

@@ -1,0 +1,78 @@
+// What waits in the receive buffers of other processes: the kernel's word for how far they have
+// read. A sender that waits while it is much loses nothing to them, be they shoal's or not.
+//
+//   PacedTransport transport(&lcm, ports, WaitForReceivers);
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <istream>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/bus/bus/transport.h"
+
+namespace shoal {
+
+/// One UDP socket of another process.
+struct ReceiverQueue {
+  std::string inode;
+  int64_t waiting_bytes = 0;  ///< As the kernel counts them: a small datagram has some 800.
+  int64_t num_dropped = 0;    ///< Datagrams that found it full, since it was opened.
+};
+
+/// Reads the table of /proc/net/udp: the sockets bound to one of `ports`, without those in `own`.
+[[nodiscard]] std::vector<ReceiverQueue> ParseQueues(std::istream& table,
+                                                     const std::set<int>& ports,
+                                                     const std::set<std::string, std::less<>>& own);
+
+/// The inodes of this process's sockets.
+[[nodiscard]] std::set<std::string, std::less<>> OwnSocketInodes();
+
+/// Sends through another transport, and lets the receivers keep up.
+class PacedTransport : public Transport {
+ public:
+  /// After as many datagrams, or bytes, it looks how far the receivers are: as much fits the
+  /// smallest buffer (208 KiB by default) beside what may wait in it.
+  static constexpr int kDatagramsBetweenLooks = 32;
+  static constexpr int64_t kBytesBetweenLooks = 48 << 10;
+  /// It waits while a receiver has more than this unread ...
+  static constexpr int64_t kMaxWaiting_bytes = 64 << 10;
+  /// ... but no longer for one that reads nothing at all: it is stopped, or hangs.
+  static constexpr int64_t kPatience_us = 1'000'000;
+
+  using Look = std::function<std::vector<ReceiverQueue>()>;
+  using Pause = std::function<void(int64_t us)>;
+
+  /// `look` returns the receivers' queues, `pause` waits.
+  PacedTransport(Transport* inner, Look look, Pause pause);
+
+  void Send(int port, std::string_view channel, std::span<const uint8_t> datagram) override;
+  void Listen(int port, const std::string& channel) override { inner_.Listen(port, channel); }
+  void ListenToAll(int port) override { inner_.ListenToAll(port); }
+  int64_t num_refused() const override { return inner_.num_refused(); }
+
+  /// Datagrams that the receivers that are there have lost all the same, since this was made.
+  int64_t num_dropped();
+  /// Microseconds spent waiting.
+  int64_t waited_us() const { return waited_us_; }
+
+ private:
+  void WaitForReceivers();
+
+  Transport& inner_;
+  const Look look_;
+  const Pause pause_;
+  int num_sent_ = 0;
+  int64_t num_bytes_ = 0;
+  int64_t waited_us_ = 0;
+  /// Receivers that read nothing for too long, with what they had unread then.
+  std::map<std::string, int64_t, std::less<>> given_up_;
+  std::map<std::string, int64_t, std::less<>> dropped_before_;
+  std::map<std::string, int64_t, std::less<>> dropped_;
+};
+
+}  // namespace shoal
