@@ -7,7 +7,9 @@
 #include <ostream>
 #include <utility>
 
+#include "lib/bus/bus/channels.h"
 #include "lib/helm/encounters/encounter_score.h"
+#include "lib/helm/encounters/swing_watch.h"
 #include "lib/mission/file/load.h"
 #include "lib/mission/toml/suggest.h"
 #include "sim/director_app.h"
@@ -26,6 +28,7 @@ std::string OptionWords(const EncounterMissionOptions& options) {
     words += fmt::format(" --speed {:g}", options.scale.speed_mps);
   }
   if (options.others_hold) words += " --hold";
+  if (options.lead_m > 0) words += fmt::format(" --lead {:g}", options.lead_m);
   return words;
 }
 
@@ -44,15 +47,39 @@ struct TrialNumbers {
   double sum_of_scores = 0;
   int64_t num_scores = 0;
   bool passed = false;
+  int64_t num_swinging = 0;    ///< Vessels that swung three times, and ...
+  int64_t num_port_turns = 0;  ///< ... that stood on, and turned to port for one on that side.
+  double fastest_share = 0;    ///< Of a vessel: its greatest speed by the one that it is asked.
+};
+
+/// What one vessel did, from its true headings and speeds.
+struct VesselTrace {
+  SwingWatch swings;
+  double fastest_mps = 0;
 };
 
 /// `only_first`: only what the first vessel was part of counts, and its own score.
 TrialNumbers RunTrial(const Mission& mission, bool only_first) {
   Simulation simulation(mission, "");
+  std::vector<VesselTrace> traces(mission.vehicles.size());
+  for (size_t i = 0; i < traces.size(); ++i) {
+    Subscribe(simulation.bus(), channels::Nav(mission.vehicles[i].name),
+              [trace = &traces[i]](const nav_t& nav) {
+                trace->swings.Look(nav.heading_deg);
+                trace->fastest_mps = std::max(trace->fastest_mps, nav.speed_mps);
+              });
+  }
   while (simulation.Step()) {
   }
   simulation.End();
   TrialNumbers numbers;
+  for (size_t i = 0; i < (only_first ? 1 : traces.size()); ++i) {
+    constexpr int kZigzag = 3;
+    if (traces[i].swings.num_swings() >= kZigzag) ++numbers.num_swinging;
+    const double asked_mps = mission.vehicles[i].start.speed_mps;
+    if (asked_mps <= 0) continue;
+    numbers.fastest_share = std::max(numbers.fastest_share, traces[i].fastest_mps / asked_mps);
+  }
   const Judge& judge = simulation.director().judge();
   for (const CollisionFact& each : judge.collisions()) {
     if (!only_first || each.collision.first == 0) ++numbers.num_collisions;
@@ -69,6 +96,7 @@ TrialNumbers RunTrial(const Mission& mission, bool only_first) {
       numbers.lowest_score = std::min(numbers.lowest_score, score);
       numbers.sum_of_scores += score;
       ++numbers.num_scores;
+      if (encounter.sides[i].conduct.turned_to_port_while_standing_on) ++numbers.num_port_turns;
     }
   }
   return numbers;
@@ -81,6 +109,10 @@ std::vector<EncounterChoice> ChoicesOfSeed(const EncounterTrialsOptions& options
   std::vector<EncounterChoice> choices;
   if (choice.set == "imazu") {
     for (choice.number = 1; choice.number <= kNumImazuCases; ++choice.number) {
+      choices.push_back(choice);
+    }
+  } else if (choice.set == "overtaking") {
+    for (choice.number = 1; choice.number <= kNumOvertakingCases; ++choice.number) {
       choices.push_back(choice);
     }
   } else if (choice.set == "single") {
@@ -106,6 +138,13 @@ Result<ChosenEncounter> ChooseEncounter(const EncounterChoice& choice) {
     }
     chosen.scenario = ImazuCase(choice.number, choice.mission.scale);
     words = fmt::format("imazu {}", choice.number);
+  } else if (choice.set == "overtaking") {
+    if (choice.number < 1 || choice.number > kNumOvertakingCases) {
+      return Error{fmt::format("there is no case {} of overtaking: they are 1 to {}", choice.number,
+                               kNumOvertakingCases)};
+    }
+    chosen.scenario = OvertakingCase(choice.number, choice.mission.scale);
+    words = fmt::format("overtaking {}", choice.number);
   } else if (choice.set == "single") {
     auto scenario = SingleTarget(choice.name, choice.mission.scale);
     if (!scenario) {
@@ -146,6 +185,10 @@ int ListEncounters(std::ostream& out) {
     out << fmt::format("{:<28} {}, {} vessels\n", fmt::format("imazu {}", number),
                        scenario.description, scenario.vessels.size());
   }
+  for (int number = 1; number <= kNumOvertakingCases; ++number) {
+    out << fmt::format("{:<28} {}\n", fmt::format("overtaking {}", number),
+                       OvertakingCase(number, {}).description);
+  }
   for (const std::string_view name : SingleTargetNames()) {
     out << fmt::format("{:<28} {}\n", fmt::format("single {}", name),
                        SingleTarget(name, {})->description);
@@ -161,7 +204,8 @@ int RunEncounterTrials(const EncounterTrialsOptions& options, std::ostream& out,
   int64_t num_with_collision = 0;
   int64_t num_passed = 0;
   std::string collided;
-  out << "encounter,seed,vessels,collisions,encounters,closest_m,lowest_score,mean_score,passed\n";
+  out << "encounter,seed,vessels,collisions,encounters,closest_m,lowest_score,mean_score,passed,"
+         "swinging,port_turns,fastest_share\n";
   for (int64_t i = 0; i < options.num_seeds; ++i) {
     const uint64_t seed = options.first_seed + static_cast<uint64_t>(i);
     for (const EncounterChoice& choice : ChoicesOfSeed(options, seed)) {
@@ -181,15 +225,15 @@ int RunEncounterTrials(const EncounterTrialsOptions& options, std::ostream& out,
       ++num_trials;
       if (numbers.passed) ++num_passed;
       const bool has_encounter = numbers.num_encounters > 0;
-      out << fmt::format("{},{},{},{},{},{},{},{},{:d}\n", scenario.name, seed,
-                         scenario.vessels.size(), numbers.num_collisions, numbers.num_encounters,
-                         has_encounter ? fmt::format("{:.3f}", numbers.closest_m) : "",
-                         has_encounter ? fmt::format("{:.2f}", numbers.lowest_score) : "",
-                         has_encounter
-                             ? fmt::format("{:.2f}", numbers.sum_of_scores /
-                                                         static_cast<double>(numbers.num_scores))
-                             : "",
-                         numbers.passed);
+      out << fmt::format(
+          "{},{},{},{},{},{},{},{},{:d},{},{},{:.3f}\n", scenario.name, seed,
+          scenario.vessels.size(), numbers.num_collisions, numbers.num_encounters,
+          has_encounter ? fmt::format("{:.3f}", numbers.closest_m) : "",
+          has_encounter ? fmt::format("{:.2f}", numbers.lowest_score) : "",
+          has_encounter ? fmt::format("{:.2f}", numbers.sum_of_scores /
+                                                    static_cast<double>(numbers.num_scores))
+                        : "",
+          numbers.passed, numbers.num_swinging, numbers.num_port_turns, numbers.fastest_share);
       if (numbers.num_collisions == 0) continue;
       ++num_with_collision;
       constexpr int64_t kMaxNamed = 20;

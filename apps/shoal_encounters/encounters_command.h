@@ -14,8 +14,8 @@ namespace shoal {
 
 /// Which encounter, and at which size.
 struct EncounterChoice {
-  std::string set = "random";  ///< imazu, single or random.
-  int number = 1;              ///< Of Imazu's cases.
+  std::string set = "random";  ///< imazu, overtaking, single or random.
+  int number = 1;              ///< Of Imazu's cases, and of overtaking.
   std::string name = {};       ///< Of single targets.
   int num_vessels = 0;         ///< Of random ones; 0: 2 to 8, by seed.
   uint64_t seed = 1;

@@ -69,10 +69,22 @@ TEST(EncounterCommand, WritesTheWordsThatMakeTheSameFileAgain) {
       << MissionOf(choice);
 }
 
+TEST(EncounterCommand, LetsVesselsFollowTheirLines) {
+  EncounterChoice choice = {.set = "overtaking", .number = 3};
+  EXPECT_EQ(MissionOf(choice).find("lead ="), std::string::npos);
+  choice.mission.lead_m = 8;
+  const std::string mission = MissionOf(choice);
+  EXPECT_NE(mission.find("`shoal encounters overtaking 3 --lead 8`"), std::string::npos) << mission;
+  EXPECT_NE(mission.find("lead = 8\nlead_damper = 1\n"), std::string::npos) << mission;
+  EXPECT_NE(ErrorOf({.set = "overtaking", .number = 23}).find("they are 1 to 22"),
+            std::string::npos);
+}
+
 TEST(EncounterCommand, ListsEveryEncounterOnce) {
   std::ostringstream out;
   EXPECT_EQ(ListEncounters(out), kExitOk);
   EXPECT_NE(out.str().find("imazu 22 "), std::string::npos);
+  EXPECT_NE(out.str().find("overtaking 22 "), std::string::npos);
   for (const std::string_view name : SingleTargetNames()) {
     EXPECT_NE(out.str().find("single " + std::string(name) + " "), std::string::npos) << name;
   }

@@ -23,6 +23,12 @@ void AddSize(Command command, EncounterMissionOptions* options) {
       .InRange(kSlowest_mps, kFastest_mps);
   command.AddFlag("--hold", &options->others_hold,
                   "All but the first vessel hold course, without a behavior");
+  constexpr double kLongestLead_m = 1000;
+  command
+      .AddOption("--lead", &options->lead_m,
+                 "Vessels follow the line to their goal with this lead in m; default: 0, they "
+                 "steer for the goal")
+      .InRange(0.0, kLongestLead_m);
 }
 
 Option AddNumVessels(Command command, EncounterChoice* choice) {
@@ -48,6 +54,14 @@ void AddEncounterCommands(Command encounters, CommandAction* action) {
   AddSize(imazu, &of_imazu->mission);
   writes(imazu, of_imazu);
 
+  const Command overtaking =
+      encounters.AddSubcommand("overtaking", "A vessel that overtakes another from dead astern");
+  auto of_overtaking = std::make_shared<EncounterChoice>();
+  of_overtaking->set = "overtaking";
+  overtaking.AddOption("N", &of_overtaking->number, "1 to 22").Required();
+  AddSize(overtaking, &of_overtaking->mission);
+  writes(overtaking, of_overtaking);
+
   const Command single = encounters.AddSubcommand("single", "An encounter with one target");
   auto of_single = std::make_shared<EncounterChoice>();
   of_single->set = "single";
@@ -69,9 +83,9 @@ void AddEncounterCommands(Command encounters, CommandAction* action) {
   const Command run = encounters.AddSubcommand(
       "run", "Run many in this process, one line of CSV for each on standard output");
   auto trials = std::make_shared<EncounterTrialsOptions>();
-  run.AddOption("SET", &trials->choice.set, "random, or every case of imazu or single")
+  run.AddOption("SET", &trials->choice.set, "random, or every case of imazu, single or overtaking")
       .Required()
-      .OneOf({"random", "imazu", "single"});
+      .OneOf({"random", "imazu", "single", "overtaking"});
   AddNumVessels(run, &trials->choice);
   run.AddOption("--first", &trials->first_seed, "The first seed; default: 1");
   constexpr int64_t kMaxSeeds = 100'000'000;

@@ -50,10 +50,14 @@ struct Conduct {
   double largest_course_change_deg = 0;   ///< From the course at entry; positive to starboard.
   double largest_speed_change_share = 0;  ///< Of the speed at entry; negative: slower.
   double held_course_change_deg = 0;      ///< Largest while it had to hold; >= 0.
-  double held_speed_change_share = 0;     ///< Likewise; >= 0.
-  std::optional<double> in_extremis_s;    ///< When the other alone could no longer avoid it.
-  bool acted_in_extremis = false;         ///< Changed course by 10 degrees or speed by 20 % then.
+  /// Likewise; >= 0. Of a vessel that is overtaken, what it went faster counts in extremis too.
+  double held_speed_change_share = 0;
+  std::optional<double> in_extremis_s;  ///< When the other alone could no longer avoid it.
+  bool acted_in_extremis = false;       ///< Changed course by 10 degrees or speed by 20 % then.
   bool turned_to_port_in_extremis = false;
+  /// It stood on, and turned 10 degrees to port while the other was on its port side (rule 17 c);
+  /// the turn in which the encounter began does not count.
+  bool turned_to_port_while_standing_on = false;
 };
 
 /// One vessel's part in an encounter.

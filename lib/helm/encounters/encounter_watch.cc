@@ -14,6 +14,9 @@ namespace {
 constexpr double kAlteration_deg = 5;
 constexpr double kAlterationShare = 0.1;
 constexpr double kExtremisAction_deg = 10;
+/// A turn is over when the vessel has turned no faster than this for this long.
+constexpr double kSteady_degps = 1;
+constexpr double kSteady_s = 2;
 constexpr double kExtremisActionShare = 0.2;
 /// In extremis begins at this share of the preferred distance.
 constexpr double kExtremisShare = 1.5;
@@ -127,7 +130,12 @@ bool EncounterWatch::Update(double time_s, std::span<const VesselSample> vessels
 void EncounterWatch::UpdateSide(double time_s, const VesselSample& own,
                                 const RelativeGeometry& geometry, bool must_keep_clear,
                                 EncounterSide* side, OpenSide* now) const {
-  now->course_change_deg += Wrap180(own.motion.heading_deg - now->last_heading_deg);
+  const double turned_now_deg = Wrap180(own.motion.heading_deg - now->last_heading_deg);
+  now->course_change_deg += turned_now_deg;
+  if (std::abs(turned_now_deg) > kSteady_degps * (time_s - last_s_)) now->last_turning_s = time_s;
+  if (!now->first_turn_deg && time_s - now->last_turning_s >= kSteady_s) {
+    now->first_turn_deg = now->course_change_deg;
+  }
   now->last_heading_deg = own.motion.heading_deg;
   now->speed_change_share = (own.motion.speed_mps - side->entry_speed_mps) /
                             std::max(side->entry_speed_mps, options_.least_speed_mps);
@@ -163,6 +171,17 @@ void EncounterWatch::UpdateSide(double time_s, const VesselSample& own,
       conduct.acted_in_extremis =
           std::abs(turned_deg) >= kExtremisAction_deg || std::abs(slowed) >= kExtremisActionShare;
       conduct.turned_to_port_in_extremis = turned_deg <= -kExtremisAction_deg;
+    }
+    if (side->role == EncounterRole::kOvertaken && !side->excused_s) {
+      KeepLargest(std::max(0.0, now->speed_change_share), &conduct.held_speed_change_share);
+    }
+    if (side->role == EncounterRole::kStandOn && Wrap180(geometry.beta_deg) < 0 &&
+        !side->excused_s && now->first_turn_deg) {
+      const double from_deg =
+          conduct.in_extremis_s ? now->extremis_course_change_deg : *now->first_turn_deg;
+      conduct.turned_to_port_while_standing_on =
+          conduct.turned_to_port_while_standing_on ||
+          now->course_change_deg - from_deg <= -kExtremisAction_deg;
     }
   }
 
@@ -222,6 +241,7 @@ void EncounterWatch::Begin(double time_s, std::span<const VesselSample> vessels,
         .crossed_astern = false,
         .excused_s = {}};
     open.sides[i].last_heading_deg = own.heading_deg;
+    open.sides[i].last_turning_s = time_s;
     open.sides[i].last_alpha_deg = Wrap180(geometry[i].alpha_deg);
     open.sides[i].last_range_m = geometry[i].range_m;
   }

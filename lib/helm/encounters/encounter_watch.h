@@ -51,6 +51,9 @@ class EncounterWatch {
     double course_change_deg = 0;  ///< Since entry, not wrapped.
     double speed_change_share = 0;
     double last_heading_deg = 0;
+    /// Course change at the end of the turn in which the encounter began; absent: it goes on.
+    std::optional<double> first_turn_deg = {};
+    double last_turning_s = 0;
     double last_alpha_deg = 0;  ///< (-180, 180].
     double last_range_m = 0;
     double extremis_course_change_deg = 0;  ///< When in extremis began.

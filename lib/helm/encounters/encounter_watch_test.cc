@@ -210,4 +210,26 @@ RC_GTEST_PROP(EncounterWatch, FindsTheSameWhereverTheWorldIsTurned, ()) {
   }
 }
 
+TEST(EncounterWatch, NotesATurnToPortOfAVesselThatStandsOn) {
+  // The target crosses from port.
+  const PlannedVessel target = {.motion = {{-100, 100}, 90, 3}};
+  const auto turned = [&](double at_s, double course_change_deg) {
+    const auto encounters = EncountersOf(
+        {{.motion = {{0, 0}, 0, 3}, .turns = {{at_s, course_change_deg, 1}}}, target}, 60);
+    return encounters.at(0).sides[0].conduct.turned_to_port_while_standing_on;
+  };
+  EXPECT_TRUE(turned(10, -12));
+  EXPECT_FALSE(turned(10, -8));
+  EXPECT_FALSE(turned(10, 30));
+}
+
+TEST(EncounterWatch, CountsThatAVesselFleesThatIsOvertaken) {
+  // From dead astern, too close to clear it alone: in extremis any change but this is allowed.
+  const auto encounters = EncountersOf(
+      {{.motion = {{0, 0}, 0, 1}, .turns = {{30, 0, 2.4}}}, {.motion = {{2, -60}, 0, 2.4}}}, 80);
+  ASSERT_EQ(encounters.at(0).sides[0].role, EncounterRole::kOvertaken);
+  ASSERT_TRUE(encounters[0].sides[0].conduct.in_extremis_s.has_value());
+  EXPECT_EQ(ScoreOf(encounters[0], 0, {}).rule_17, 0);
+}
+
 }  // namespace shoal::encounter_watch_test

@@ -185,6 +185,27 @@ EncounterScenario ImazuCase(int number, const ScenarioScale& scale) {
   return scenario;
 }
 
+EncounterScenario OvertakingCase(int number, const ScenarioScale& scale) {
+  SHOAL_CHECK(number >= 1 && number <= kNumOvertakingCases, "cases of overtaking are 1 to 22");
+  // Of the slower one's line to port of own ship's, of MeetingRange_m().
+  constexpr std::array kOffsets = {-10, -6, -4, -2, -1, 0, 1, 2, 4, 6, 10};
+  constexpr double kOffsetUnit = 1.0 / 360;
+  constexpr double kEast_deg = 90;
+  const size_t place = static_cast<size_t>(number - 1) % kOffsets.size();
+  const double share = static_cast<size_t>(number) <= kOffsets.size() ? 1.0 / 3 : 2.0 / 3;
+  const double range_m = MeetingRange_m(scale);
+  EncounterScenario scenario;
+  scenario.name = "overtaking_" + TwoDigits(number);
+  scenario.description = "Overtaking from dead astern, case " + std::to_string(number) + " of 22";
+  scenario.meeting_s = range_m / scale.speed_mps;
+  scenario.role = EncounterRole::kOvertaking;
+  const Eigen::Vector2d offset_m(0, kOffsets.at(place) * kOffsetUnit * range_m);
+  scenario.vessels = {
+      VesselThrough("own", Eigen::Vector2d::Zero(), kEast_deg, scale.speed_mps, scenario.meeting_s),
+      VesselThrough("target_1", offset_m, kEast_deg, scale.speed_mps * share, scenario.meeting_s)};
+  return scenario;
+}
+
 std::span<const std::string_view> SingleTargetNames() { return kSingleNames; }
 
 std::optional<EncounterScenario> SingleTarget(std::string_view name, const ScenarioScale& scale) {

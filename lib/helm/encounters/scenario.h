@@ -52,6 +52,13 @@ constexpr int kNumImazuCases = 22;
 /// @pre 1 <= number <= kNumImazuCases
 [[nodiscard]] EncounterScenario ImazuCase(int number, const ScenarioScale& scale);
 
+constexpr int kNumOvertakingCases = 22;
+
+/// Returns a vessel that comes up from dead astern of a slower one, both on course 90: the slower
+/// one goes a third (1 to 11) or two thirds (12 to 22) as fast, and its line is up to 10 m, at the
+/// default scale, to the North or South of own ship's. @pre 1 <= number <= kNumOvertakingCases
+[[nodiscard]] EncounterScenario OvertakingCase(int number, const ScenarioScale& scale);
+
 /// Returns the names of the encounters with a single target, one on either side of each boundary of
 /// the classification among them.
 [[nodiscard]] std::span<const std::string_view> SingleTargetNames();

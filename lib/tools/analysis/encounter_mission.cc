@@ -102,6 +102,10 @@ class MissionText {
     text_ += fmt::format(
         "\n[[vehicle.behavior]]\nkind = \"waypoint\"\npwt = 100\npoints = [{}]\nspeed = {}\n",
         Point(FarGoal_m(vessel)), Short(vessel.start.speed_mps));
+    if (options_.lead_m > 0) {
+      text_ +=
+          fmt::format("lead = {}\nlead_damper = 1\nlead_to_start = true\n", Short(options_.lead_m));
+    }
     text_ += fmt::format(
         "\n[[vehicle.behavior]]\nkind = \"colregs\"\ntemplating = \"spawn\"\npwt = 200\n"
         "pwt_outer_dist = {}\npwt_inner_dist = {}\n"

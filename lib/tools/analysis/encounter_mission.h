@@ -13,7 +13,8 @@ namespace shoal {
 struct EncounterMissionOptions {
   ScenarioScale scale = {};
   bool others_hold = false;  ///< All but the first vessel hold course, without a behavior.
-  uint64_t seed = 1;         ///< Of the mission, for what is lost.
+  double lead_m = 0;  ///< Vessels follow their lines with this lead; 0: they aim at the goal.
+  uint64_t seed = 1;  ///< Of the mission, for what is lost.
 
   bool operator==(const EncounterMissionOptions&) const = default;
 };
