@@ -50,6 +50,7 @@ Options AvoidanceOf(const Json& block) {
   options.min_util_cpa_dist = NumberOf(block, "min_util_cpa_dist", options.min_util_cpa_dist);
   options.max_util_cpa_dist = NumberOf(block, "max_util_cpa_dist", options.max_util_cpa_dist);
   options.pwt_grade = block.at("pwt_grade").get<std::string>();
+  options.steady = false;
   return options;
 }
 
@@ -66,6 +67,7 @@ BehaviorOptions BehaviorOf(const Json& block, const MeetingOptions& meeting) {
                                    .slip_radius = NumberOf(block, "slip_radius", 15),
                                    .lead = NumberOf(block, "lead", -1),
                                    .lead_damper = NumberOf(block, "lead_damper", -1),
+                                   .return_angle = 90,
                                    .lead_to_start = block.contains("lead_to_start")};
   } else if (type == "AvoidCollision") {
     options.what = AvoidanceOf<AvoidCollisionOptions>(block);

@@ -22,7 +22,8 @@ struct AvoidCollisionOptions {
   std::string pwt_grade = "quasi";  ///< linear, quasi or quadratic.
   double time_on_leg = 120;         ///< s; horizon of the closest approach.
   double collision_depth = -1;      ///< m; deeper than this it does not avoid; -1: off.
-  double widen_per_s = 0;           ///< m by which both distances grow per second of age.
+  bool steady = true;      ///< False, as the original: no memory, danger counts as its distance.
+  double widen_per_s = 0;  ///< m by which both distances grow per second of age.
 
   bool operator==(const AvoidCollisionOptions&) const = default;
 };

@@ -42,6 +42,10 @@ struct BehaviorInputs {
   const Contacts* contacts = nullptr;
   const std::vector<Obstacle>* obstacles = nullptr;
   const Variables* variables = nullptr;
+  /// What the helm decided in the iteration before; absent: nothing.
+  std::optional<double> last_course_deg = {};
+  std::optional<double> last_speed_mps = {};
+  bool avoids = false;      ///< In the iteration before it had a contact to keep clear of.
   bool goals_rest = false;  ///< Behaviors that are no constraints are idle: an order steers.
 };
 
@@ -69,7 +73,8 @@ struct BehaviorAnswer {
   /// > 0 and at most 1 with an objective. BehaviorSet multiplies it by the priority weight, which
   /// updates change without the behavior's knowledge.
   double relevance = 0;
-  AllowedPart allowed = {};              ///< What it lets the decision be, whatever the weights.
+  double urgency = 1;        ///< The weight counts so many times: imminent danger; >= 1.
+  AllowedPart allowed = {};  ///< What it lets the decision be, whatever the weights.
   std::vector<VariablePost> posts = {};  ///< Its own reports (WPT_INDEX ...), without flags.
   std::vector<std::string> flags = {};  ///< Names of own flag lists that fire now ("wptflag", ...).
   bool completes = false;

@@ -310,7 +310,9 @@ RunReport BehaviorRunner::Run(const BehaviorInputs& inputs, HelmNotes& notes) {
     answer.objective.reset();
     if (answer.error.empty()) answer.error = "its preferences are not finite numbers";
   }
-  if (answer.objective) report.weight = options_.pwt * std::clamp(answer.relevance, 0.0, 1.0);
+  if (answer.objective) {
+    report.weight = options_.pwt * std::clamp(answer.relevance, 0.0, 1.0) * answer.urgency;
+  }
   if (report.weight > 0) {
     report.state = RunState::kActive;
   } else {

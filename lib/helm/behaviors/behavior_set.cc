@@ -439,6 +439,7 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
   if (!inputs.drives || !inputs.own) {
     outcome.keeps_last = true;
     iterations_without_decision_ = 0;
+    commanded_ = {};
     return outcome;
   }
   HelmNotes notes;
@@ -449,6 +450,9 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
       .contacts = inputs.contacts != nullptr ? inputs.contacts : &kNoContacts,
       .obstacles = inputs.obstacles != nullptr ? inputs.obstacles : &kNoObstacles,
       .variables = &variables_,
+      .last_course_deg = commanded_.course_deg,
+      .last_speed_mps = commanded_.speed_mps,
+      .avoids = avoids_,
       .goals_rest = inputs.goals_rest};
   const Iteration now = {own, notes};
   SpawnForContacts(now);
@@ -485,6 +489,10 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
   for (std::string& warning : notes.warnings) outcome.warnings.push_back(std::move(warning));
   Decide(inputs, reports, outcome);
   JudgeAllStop(error, outcome);
+  commanded_ = outcome.commands;
+  avoids_ = std::any_of(reports.begin(), reports.end(), [](const RunReport& report) {
+    return report.state == RunState::kActive && report.is_constraint && report.answer.role;
+  });
   TakePosts(inputs.time_s, outcome);
   std::erase_if(runners_, [](const auto& runner) { return runner->is_over(); });
   if (!modes_.variables().empty()) {

@@ -204,6 +204,8 @@ class BehaviorSet {
   std::set<std::string> disabled_contacts_;               ///< By BHV_ABLE_FILTER.
   std::vector<WeightedObjective> objectives_;  ///< Of the last decision, as outcome.aims.
   GridDecision decision_;
+  bool avoids_ = false;  ///< A contact to keep clear of had a share in the last iteration.
+  HelmPoint commanded_;  ///< In the last iteration; empty: nothing.
   std::string lasting_error_;
   int iterations_without_decision_ = 0;
   std::string last_all_stop_ = "clear";

@@ -28,7 +28,10 @@ struct ColregsOptions {
   bool pts_port_turns_ok = true;     ///< Give-way may turn to port behind the contact.
   bool can_disable = false;
   double widen_per_s = 0;  ///< m by which both distances grow per second of age.
-  double min_dwell = 3;    ///< s that a mode lasts at least, but for in extremis.
+  /// False, as the original: the last decision is forgotten, imminent danger counts no more than
+  /// distance, and a vessel that is overtaken may flee.
+  bool steady = true;
+  double min_dwell = 3;  ///< s that a mode lasts at least, but for in extremis.
 
   bool operator==(const ColregsOptions&) const = default;
 };

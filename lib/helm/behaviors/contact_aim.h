@@ -19,6 +19,13 @@ namespace shoal {
 [[nodiscard]] double RelevanceAt(double range_m, double inner_m, double outer_m,
                                  std::string_view grade);
 
+/// Returns true where the contact is too far above or below own ship to keep clear of.
+[[nodiscard]] bool IsAboveOrBelow(const ContactOptions& options, const BehaviorInputs& inputs,
+                                  const ContactView& contact);
+
+/// How many times the weight of what keeps clear counts in imminent danger: nothing outvotes it.
+inline constexpr double kUrgencyInDanger = 8;
+
 /// Fills in state and role, and the reports of post_per_contact_info: RANGE_<CONTACT>,
 /// CLOSING_SPEED_<CONTACT>, RELEVANCE_<CONTACT>, ROLE_<CONTACT>.
 void DescribeContact(const ContactOptions& options, const ContactView& contact,

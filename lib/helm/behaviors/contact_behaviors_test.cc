@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "lib/base/geometry/angles.h"
 #include "lib/helm/behaviors/approach_function.h"
@@ -231,6 +232,34 @@ TEST(ApproachFunction, IsBoundedInEveryBox) {
         }
       }
     }
+  }
+}
+
+TEST(ImminentDanger, CountsEightTimesInEveryRole) {
+  // 23 m ahead, going on passes at 0.8 m: nothing may outvote that.
+  TestMeeting meeting(kNorthbound, Southbound(0.8, 23));
+  ColregsBehavior colregs({.contact = kBravo});
+  AvoidCollisionBehavior avoid({.contact = kBravo});
+  EXPECT_EQ(meeting.Run(colregs).urgency, kUrgencyInDanger);
+  EXPECT_EQ(meeting.Run(avoid).urgency, kUrgencyInDanger);
+  ColregsBehavior original_colregs({.contact = kBravo, .steady = false});
+  AvoidCollisionBehavior original_avoid({.contact = kBravo, .steady = false});
+  EXPECT_EQ(meeting.Run(original_colregs).urgency, 1);
+  EXPECT_EQ(meeting.Run(original_avoid).urgency, 1);
+}
+
+TEST(VerticalSeparation, LeavesContactsFarAboveOrBelowAlone) {
+  TestMeeting meeting(kNorthbound, Southbound(0, 50));
+  for (const auto& [own_m, contact_m, is_avoided] :
+       {std::tuple(0.0, 20.0, false), {20.0, 0.0, false}, {0.0, 10.0, true}, {25.0, 20.0, true}}) {
+    meeting.vessel.own.depth_m = own_m;
+    meeting.contact().depth_m = contact_m;
+    ColregsBehavior colregs({.contact = kBravo});
+    AvoidCollisionBehavior avoid({.contact = kBravo});
+    EXPECT_EQ(meeting.Run(colregs).objective.has_value(), is_avoided) << own_m << contact_m;
+    EXPECT_EQ(meeting.Run(avoid).objective.has_value(), is_avoided) << own_m << contact_m;
+    AvoidCollisionBehavior flat({.contact = {.contact = "bravo", .vertical_separation = -1}});
+    EXPECT_TRUE(meeting.Run(flat).objective.has_value());
   }
 }
 

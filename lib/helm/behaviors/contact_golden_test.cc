@@ -58,7 +58,8 @@ TEST(Golden, AvoidCollisionIsTheSameButForTheWeightInsideTheInnerDistance) {
                                          .completed_dist = 100,
                                          .min_util_cpa_dist = 8,
                                          .max_util_cpa_dist = 25,
-                                         .pwt_grade = "linear"};
+                                         .pwt_grade = "linear",
+                                         .steady = false};
   EXPECT_EQ(Compare<AvoidCollisionBehavior>("avoid_exact", options, 200, 200).num_functions, 48);
 }
 
@@ -68,7 +69,8 @@ TEST(Golden, ColregsIsTheSameInTheFirstIteration) {
                                   .pwt_inner_dist = 20,
                                   .completed_dist = 100,
                                   .min_util_cpa_dist = 8,
-                                  .max_util_cpa_dist = 25};
+                                  .max_util_cpa_dist = 25,
+                                  .steady = false};
   EXPECT_EQ(Compare<ColregsBehavior>("colregs_exact", options, 200).num_functions, 48);
 }
 

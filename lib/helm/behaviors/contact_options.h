@@ -16,6 +16,8 @@ struct ContactOptions {
   std::vector<std::string> ignore_group = {};
   std::vector<std::string> match_type = {};
   std::vector<std::string> ignore_type = {};
+  /// m; farther above or below, the contact needs no keeping clear of; -1: depth does not count.
+  double vertical_separation = 10;
   bool exit_on_filter_group = false;   ///< Ends when the contact's group no longer passes.
   bool post_per_contact_info = false;  ///< Posts range, closing speed and role with its name.
   /// "@cpa VAR = value", "@os_passes_cn ...": docs/modes.md lists the moments.

@@ -125,7 +125,10 @@ BehaviorAnswer LegRunBehavior::Run(const BehaviorInputs& inputs) {
       InDomain(inputs, speeds.empty() ? options_.speed
                                       : speeds[static_cast<size_t>(num_legs_) % speeds.size()]);
   const bool is_leg = part_ == Part::kLeg1 || part_ == Part::kLeg2;
-  const TrackLead lead = {.lead_m = options_.lead, .lead_damper_m = options_.lead_damper};
+  diversion_.Look(inputs.avoids, leg_, position_m, options_.lead);
+  const TrackLead lead = {.lead_m = options_.lead,
+                          .lead_damper_m = options_.lead_damper,
+                          .return_deg = diversion_.is_on() ? options_.return_angle : 90};
   const Eigen::Vector2d steers_for_m = is_leg ? SteeringPoint(leg_, position_m, lead) : leg_.to_m;
   BehaviorAnswer preference =
       PreferBoth(inputs, PeakOverCourse(BearingDeg(position_m, steers_for_m), 0, 180),

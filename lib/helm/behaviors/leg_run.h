@@ -10,6 +10,7 @@
 
 #include "lib/base/geometry/leg.h"
 #include "lib/helm/behaviors/behavior.h"
+#include "lib/helm/behaviors/track_line.h"
 #include "lib/vehicle/guidance/waypoint_capture.h"
 
 namespace shoal {
@@ -34,6 +35,7 @@ struct LegRunOptions {
   double slip_radius = 15;    ///< m.
   double lead = -1;           ///< m.
   double lead_damper = -1;    ///< m.
+  double return_angle = 30;   ///< Degrees to the leg, at most, after it kept clear of a contact.
   double patience = 50;       ///< Per cent.
   int repeat = -1;            ///< Further rounds of two legs; -1: for ever.
   std::vector<std::string> leg_end_flag = {};
@@ -76,6 +78,7 @@ class LegRunBehavior final : public BehaviorWith<LegRunOptions> {
 
   Part part_ = Part::kInit;
   Leg leg_;
+  Diversion diversion_;
   std::optional<WaypointCapture> capture_;  ///< Absent: not begun, or idle before.
   std::vector<Eigen::Vector2d> turn_m_;     ///< Points of this turn.
   size_t turn_index_ = 0;

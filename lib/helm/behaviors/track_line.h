@@ -11,6 +11,19 @@ namespace shoal {
 struct TrackLead {
   double lead_m = -1;         ///< -1: for the end of the leg.
   double lead_damper_m = -1;  ///< -1: off.
+  /// The lead is at least so long that it comes back to the leg at no more than this; 90: any.
+  double return_deg = 90;
+};
+
+/// Whether a vessel is off its leg because it kept clear of a contact.
+class Diversion {
+ public:
+  /// `avoids`: it has a contact to keep clear of. It is over within `lead_m` of the leg.
+  void Look(bool avoids, const Leg& leg, const Eigen::Vector2d& position_m, double lead_m);
+  [[nodiscard]] bool is_on() const { return is_on_; }
+
+ private:
+  bool is_on_ = false;
 };
 
 /// Returns the point of the leg that is the lead ahead of the point beside the vessel, never beyond

@@ -38,4 +38,25 @@ TEST(SteeringPoint, IsTheEndWithoutALeadOrALeg) {
   EXPECT_EQ(SteeringPoint(none, {0, 0}, {.lead_m = 8}), Eigen::Vector2d(3, 4));
 }
 
+TEST(SteeringPoint, ComesBackToTheLegAtNoMoreThanTheReturnAngle) {
+  ExpectPoint({20, 30}, {.lead_m = 8, .return_deg = 45}, 50);
+  ExpectPoint({-20, 30}, {.lead_m = 8, .return_deg = 45}, 50);
+  ExpectPoint({5, 30}, {.lead_m = 8, .return_deg = 45}, 38);
+  ExpectPoint({20, 30}, {.lead_m = 8, .return_deg = 90}, 38);
+}
+
+TEST(Diversion, LastsFromAContactUntilTheVesselIsBackAtItsLeg) {
+  const Leg leg = {.from_m = {0, 0}, .to_m = {0, 100}};
+  Diversion diversion;
+  diversion.Look(false, leg, {20, 30}, 8);
+  EXPECT_FALSE(diversion.is_on());
+  diversion.Look(true, leg, {0, 30}, 8);
+  diversion.Look(false, leg, {20, 40}, 8);
+  EXPECT_TRUE(diversion.is_on());
+  diversion.Look(false, leg, {7.9, 60}, 8);
+  EXPECT_FALSE(diversion.is_on());
+  diversion.Look(false, leg, {20, 60}, 8);
+  EXPECT_FALSE(diversion.is_on());
+}
+
 }  // namespace shoal::track_line_test

@@ -199,7 +199,9 @@ Eigen::Vector2d WaypointBehavior::SteersFor(const BehaviorInputs& inputs) const 
   const Leg& leg = capture_->leg();
   if (!leads) return leg.to_m;
   return SteeringPoint(leg, inputs.own.motion.position_m,
-                       {.lead_m = options_.lead, .lead_damper_m = options_.lead_damper});
+                       {.lead_m = options_.lead,
+                        .lead_damper_m = options_.lead_damper,
+                        .return_deg = diversion_.is_on() ? options_.return_angle : 90});
 }
 
 Objective WaypointBehavior::Preference(const BehaviorInputs& inputs, double course_deg,
@@ -244,6 +246,7 @@ BehaviorAnswer WaypointBehavior::Run(const BehaviorInputs& inputs) {
   if (state_ == State::kDone) return answer;
 
   const double distance_m = (capture_->leg().to_m - position_m).norm();
+  diversion_.Look(inputs.avoids, capture_->leg(), position_m, options_.lead);
   const Eigen::Vector2d steers_for_m = SteersFor(inputs);
   const double speed_mps = InDomain(inputs, Speed(distance_m));
   BehaviorAnswer preference =

@@ -10,6 +10,7 @@
 
 #include "lib/base/geometry/leg.h"
 #include "lib/helm/behaviors/behavior.h"
+#include "lib/helm/behaviors/track_line.h"
 #include "lib/helm/modes/condition.h"
 #include "lib/vehicle/guidance/route_rounds.h"
 #include "lib/vehicle/guidance/waypoint_capture.h"
@@ -29,15 +30,16 @@ struct WaypointOptions {
   bool capture_line = false;       ///< Also reached past the line square to the leg.
   bool capture_line_only = false;  ///< capture_line = "absolute" of others: the radii do not count.
   double lead = -1;  ///< m; steers for a point this far ahead on the leg; -1: for the point itself.
-  double lead_damper = -1;          ///< m of cross-track distance within which lead grows; -1: off.
-  bool lead_to_start = false;       ///< The first leg begins where the behavior began to run.
-  std::string lead_condition = {};  ///< Leads only while this condition holds.
-  std::string order = "normal";     ///< normal, reverse or toggle (by turns).
-  int repeat = 0;                   ///< Further rounds; -1: for ever.
-  bool greedy_tour = false;         ///< Reorders the points: always the nearest next.
-  int currix = 0;                   ///< Index of the first point.
-  std::string ipf_type = "zaic";    ///< zaic, zaic_spd or roc.
-  double patience = 50;             ///< Per cent of course against speed, 1 to 99.
+  double lead_damper = -1;     ///< m of cross-track distance within which lead grows; -1: off.
+  double return_angle = 30;    ///< Degrees to the leg, at most, after it kept clear of a contact.
+  bool lead_to_start = false;  ///< The first leg begins where the behavior began to run.
+  std::string lead_condition = {};          ///< Leads only while this condition holds.
+  std::string order = "normal";             ///< normal, reverse or toggle (by turns).
+  int repeat = 0;                           ///< Further rounds; -1: for ever.
+  bool greedy_tour = false;                 ///< Reorders the points: always the nearest next.
+  int currix = 0;                           ///< Index of the first point.
+  std::string ipf_type = "zaic";            ///< zaic, zaic_spd or roc.
+  double patience = 50;                     ///< Per cent of course against speed, 1 to 99.
   std::vector<std::string> wptflag = {};    ///< At each point that is reached.
   std::vector<std::string> cycleflag = {};  ///< At the end of the list.
   bool wptflag_on_start = false;            ///< wptflag once at the beginning too.
@@ -85,6 +87,7 @@ class WaypointBehavior final : public BehaviorWith<WaypointOptions> {
   State state_ = State::kNew;
   std::vector<Eigen::Vector2d> points_m_;  ///< In the order of this round.
   RouteRounds rounds_;
+  Diversion diversion_;
   bool has_leg_ = false;                    ///< There is a line to follow.
   std::optional<WaypointCapture> capture_;  ///< Of the leg to the point; absent: not begun.
 };

@@ -15,6 +15,7 @@ constexpr double kPastBow_deg = 22.5;         // Own ship this near the contact'
 constexpr double kToStarboard_deg = 5;        // One alone, beyond the sector of head-on.
 constexpr double kBothToStarboard_deg = 7.5;  // Both together, beyond twice the sector.
 constexpr double kSideSwitch_deg = 5;         // Overtaking: beyond the bow before the side changes.
+constexpr double kClearAgain = 1.5;           // Times min_cpa: what ends in extremis.
 constexpr double kNearlyAhead_deg = 315;      // Beta from here on: a contact that crosses shortly.
 
 /// Everything that entries and ends ask about one moment.
@@ -41,6 +42,10 @@ Moment MomentOf(const VesselMotion& own, const VesselMotion& contact, const Colr
           .geometry = GeometryOf(own, contact),
           .own_passing = PassingOf(own, contact),
           .contact_passing = PassingOf(contact, own)};
+}
+
+bool IsHolder(ColregsMode mode) {
+  return mode == ColregsMode::kStandOn || mode == ColregsMode::kOvertaken;
 }
 
 bool IsAbaft(double relative_deg, const ClassifyOptions& sectors) {
@@ -134,7 +139,8 @@ ColregsSubMode GiveWaySubMode(const Moment& at) {
   return ahead || goes_along ? ColregsSubMode::kBow : ColregsSubMode::kStern;
 }
 
-ColregsSubMode OvertakingSubMode(ColregsSubMode before, double beta_deg) {
+ColregsSubMode OvertakingSubMode(ColregsSubMode before, double beta_deg, bool keeps_side) {
+  if (keeps_side && before != ColregsSubMode::kNone) return before;
   switch (before) {
     case ColregsSubMode::kPort:
       return beta_deg > 180 && beta_deg < 360 - kSideSwitch_deg ? ColregsSubMode::kStarboard
@@ -160,6 +166,14 @@ ColregsSubMode StandOnSubMode(const Moment& at) {
   return ahead_m > 0 ? ColregsSubMode::kUnsure : ColregsSubMode::kStern;
 }
 
+/// Standing on again would keep the two clear.
+bool MayHoldAgain(const ColregsState& state, const Moment& at) {
+  VesselMotion held = at.own;
+  held.heading_deg = state.entry_heading_deg;
+  held.speed_mps = state.entry_speed_mps;
+  return GeometryOf(held, at.contact).cpa_m > kClearAgain * at.limits.min_cpa_m;
+}
+
 bool IsInExtremis(const Moment& at) {
   return at.geometry.range_m <= at.limits.max_cpa_m && at.geometry.cpa_m <= at.limits.min_cpa_m;
 }
@@ -167,14 +181,19 @@ bool IsInExtremis(const Moment& at) {
 ColregsSubMode SubModeOf(const ColregsState& state, bool is_new, const Moment& at) {
   switch (state.mode) {
     case ColregsMode::kOvertaking:
-      return OvertakingSubMode(state.sub_mode, at.geometry.beta_deg);
+      return OvertakingSubMode(state.sub_mode, at.geometry.beta_deg, at.limits.steady);
     case ColregsMode::kGiveWay:
       return is_new ? GiveWaySubMode(at) : state.sub_mode;
     case ColregsMode::kOvertaken:
-      if (state.in_extremis() || IsInExtremis(at)) return ColregsSubMode::kInExtremis;
+      if (at.limits.steady ? state.danger_s.has_value() : state.in_extremis() || IsInExtremis(at)) {
+        return ColregsSubMode::kInExtremis;
+      }
       return at.geometry.alpha_deg < 180 ? ColregsSubMode::kPort : ColregsSubMode::kStarboard;
     case ColregsMode::kStandOn:
-      if (state.in_extremis() || IsInExtremis(at)) return ColregsSubMode::kInExtremis;
+      if (IsInExtremis(at) || state.danger_s) return ColregsSubMode::kInExtremis;
+      if (state.in_extremis() && (!at.limits.steady || !MayHoldAgain(state, at))) {
+        return ColregsSubMode::kInExtremis;
+      }
       if (!is_new && at.time_s - state.sub_mode_since_s < at.limits.min_dwell_s) {
         return state.sub_mode;
       }
@@ -185,6 +204,16 @@ ColregsSubMode SubModeOf(const ColregsState& state, bool is_new, const Moment& a
       break;
   }
   return ColregsSubMode::kNone;
+}
+
+/// When danger was seen last; nothing once it is over.
+std::optional<double> DangerSince(const ColregsState& state, const Moment& at) {
+  const ColregsLimits& limits = at.limits;
+  if (!limits.steady || state.mode == ColregsMode::kNone) return std::nullopt;
+  if (IsDanger(at.geometry, limits.min_cpa_m, limits.max_cpa_m)) return at.time_s;
+  if (!state.danger_s || at.time_s - *state.danger_s < limits.min_dwell_s) return state.danger_s;
+  const bool has_to_stay_clear = IsHolder(state.mode) && at.closing() && !MayHoldAgain(state, at);
+  return has_to_stay_clear ? state.danger_s : std::nullopt;
 }
 
 bool IsRole(ColregsMode mode) { return mode != ColregsMode::kNone && mode != ColregsMode::kCpa; }
@@ -226,6 +255,7 @@ ColregsState NextColregsState(const ColregsState& before, const VesselMotion& ow
     state.entry_heading_deg = own.heading_deg;
     state.entry_speed_mps = own.speed_mps;
   }
+  state.danger_s = DangerSince(state, at);
   const ColregsSubMode sub_mode = SubModeOf(state, is_new, at);
   if (is_new || sub_mode != state.sub_mode) state.sub_mode_since_s = time_s;
   state.sub_mode = sub_mode;

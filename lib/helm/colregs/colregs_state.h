@@ -27,9 +27,12 @@
 //         give-way           opening and D > min_cpa; own ship on the contact's starboard side
 //         stand-on           opening and D > min_cpa: crossing ahead alone does not end it
 //
-//   stand-on, overtaken ── D <= max_cpa and present CPA <= min_cpa ──► in extremis (17 b): keeps
-//                          clear as it can. Latched until the role ends; then opening must have
-//                          lasted for min_dwell.
+//   stand-on ── D <= max_cpa and present CPA <= min_cpa ──► in extremis (17 b): keeps clear as it
+//   overtaken ── danger ──►   can, until the course and speed of the entry would do again, by half
+//                          as much again as min_cpa; the role then ends when opening has lasted
+//                          for min_dwell.
+//   danger (any role, and cpa): close, closing, and CPA <= min_cpa (IsDanger). Lasts for min_dwell,
+//                          and as long as in extremis does.
 //
 // D is the distance, CPA the closest distance if both hold course and speed. A role lasts at least
 // min_dwell, out of range aside, and does not come back within min_dwell after it ended; another
@@ -80,6 +83,9 @@ struct ColregsLimits {
   double turn_radius_m = 0;    ///< Own.
   double min_dwell_s = 3;
   bool head_on_only = false;  ///< No role but head-on.
+  /// False: no danger but in extremis, which a vessel that is overtaken is in by the distances of
+  /// one that stands on, and until the two open; the side of overtaking may change.
+  bool steady = true;
   ClassifyOptions sectors = {};
 };
 
@@ -93,8 +99,13 @@ struct ColregsState {
   std::optional<double> opening_since_s = {};
   ColregsMode ended = ColregsMode::kNone;  ///< The role before this one ...
   double ended_s = 0;                      ///< ... and when it ended.
+  std::optional<double> danger_s = {};     ///< When danger (IsDanger) was seen last; absent: over.
 
   bool in_extremis() const { return sub_mode == ColregsSubMode::kInExtremis; }
+  /// Keeps course and speed: stand-on or overtaken, and not in extremis.
+  bool stands_on() const {
+    return (mode == ColregsMode::kStandOn || mode == ColregsMode::kOvertaken) && !in_extremis();
+  }
   bool operator==(const ColregsState&) const = default;
 };
 

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "lib/base/geometry/angles.h"
 #include "tests/golden/read_golden.h"
@@ -97,10 +98,12 @@ TEST(Rule13, SurvivesAMomentInWhichTheVesselsOpen) {
   EXPECT_EQ(state.mode, ColregsMode::kCpa);
 }
 
-TEST(Rule13, ChangesTheSideOnlyWhereTheContactIsClearlyOnTheOther) {
-  const auto sub_mode_at = [](ColregsSubMode before, double beta_deg) {
+TEST(Rule13, ChangesTheSideInTheOriginalsWayWhereTheContactIsClearlyOnTheOther) {
+  ColregsLimits original = kLimits;
+  original.steady = false;
+  const auto sub_mode_at = [&](ColregsSubMode before, double beta_deg) {
     const ColregsState state = {.mode = ColregsMode::kOvertaking, .sub_mode = before};
-    return NextColregsState(state, Northbound(2), ContactAt(40, beta_deg, 0, 1), kLimits, 0)
+    return NextColregsState(state, Northbound(2), ContactAt(40, beta_deg, 0, 1), original, 0)
         .sub_mode;
   };
   EXPECT_EQ(sub_mode_at(ColregsSubMode::kPort, 356), ColregsSubMode::kPort);
@@ -266,6 +269,8 @@ TEST(Golden, HasTheSameModeInTheFirstIteration) {
   std::map<std::string, GoldenRow> states;
   for (const GoldenRow& row : ReadGoldenCsv("helm/states.csv")) states[row.at("state")] = row;
   int num_compared = 0;
+  ColregsLimits original = kLimits;
+  original.steady = false;
   for (const GoldenRow& row : ReadGoldenCsv("helm/functions.csv")) {
     if (row.at("behavior") != "colregs_exact") continue;
     const GoldenRow& at = states.at(row.at("state"));
@@ -275,7 +280,7 @@ TEST(Golden, HasTheSameModeInTheFirstIteration) {
     const VesselMotion contact = {.position_m = {Number(at, "cnx"), Number(at, "cny")},
                                   .heading_deg = Number(at, "cnh"),
                                   .speed_mps = Number(at, "cnv")};
-    EXPECT_EQ(GoldenNameOf(First(own, contact)), row.at("mode")) << "state " << row.at("state");
+    EXPECT_EQ(GoldenNameOf(First(own, contact, original)), row.at("mode")) << row.at("state");
     ++num_compared;
   }
   EXPECT_EQ(num_compared, 48);
@@ -323,6 +328,67 @@ RC_GTEST_PROP(ColregsState, IsNotItsMirrorImageInACrossing, ()) {
   const VesselMotion mirrored = ContactAt(50, 360 - beta_deg, 360 - contact.heading_deg, 2);
   RC_PRE(First(Northbound(2), contact).mode == ColregsMode::kGiveWay);
   RC_ASSERT(First(Northbound(2), mirrored).mode != ColregsMode::kGiveWay);
+}
+
+TEST(Danger, IsSeenInEveryRole) {
+  const VesselMotion own = Northbound(3);
+  const std::pair<VesselMotion, ColregsMode> cases[] = {
+      {ContactAt(20, 0, 180, 3), ColregsMode::kHeadOn},
+      {ContactAt(20, 45, 270, 3), ColregsMode::kGiveWay},
+      {ContactAt(20, 315, 90, 3), ColregsMode::kStandOn},
+      {ContactAt(15, 0, 0, 1), ColregsMode::kOvertaking},
+      {ContactAt(15, 180, 0, 6), ColregsMode::kOvertaken},
+      {ContactAt(15, 0, 0, 0), ColregsMode::kCpa}};
+  for (const auto& [contact, mode] : cases) {
+    const ColregsState state = First(own, contact);
+    EXPECT_EQ(state.mode, mode);
+    EXPECT_TRUE(state.danger_s.has_value()) << Name(mode);
+    ColregsLimits original = kLimits;
+    original.steady = false;
+    EXPECT_FALSE(First(own, contact, original).danger_s.has_value()) << Name(mode);
+  }
+}
+
+TEST(Danger, IsNoneFarAwayOrClearOrOpening) {
+  EXPECT_TRUE(First(Northbound(3), ContactAt(24, 0, 180, 3)).danger_s.has_value());
+  EXPECT_FALSE(First(Northbound(3), ContactAt(26, 0, 180, 3)).danger_s.has_value());
+  const VesselMotion aside = {.position_m = {8.1, 20}, .heading_deg = 180, .speed_mps = 3};
+  EXPECT_FALSE(First(Northbound(3), aside).danger_s.has_value());
+  EXPECT_FALSE(First(Northbound(3), ContactAt(7, 180, 180, 3)).danger_s.has_value());
+}
+
+TEST(Rule17, HoldsAVesselThatIsOvertakenUntilDangerIsImminent) {
+  const VesselMotion own = Northbound(1);
+  const auto from_astern = [](double range_m) { return ContactAt(range_m, 180, 0, 2.4); };
+  ColregsState state = First(own, from_astern(24));
+  EXPECT_EQ(state.mode, ColregsMode::kOvertaken);
+  EXPECT_TRUE(state.stands_on());
+  state = NextColregsState(state, own, from_astern(14), kLimits, 7);
+  EXPECT_TRUE(state.in_extremis());
+}
+
+TEST(Rule17, LeavesInExtremisWhenStandingOnIsClearAgain) {
+  const VesselMotion own = Northbound(1);
+  ColregsState state = First(own, ContactAt(14, 180, 0, 2.4));
+  ASSERT_TRUE(state.in_extremis());
+  // The other has turned away and will pass 14 m off.
+  const VesselMotion passes = {.position_m = {-14, -6}, .heading_deg = 0, .speed_mps = 2.4};
+  state = NextColregsState(state, own, passes, kLimits, 2.75);
+  EXPECT_TRUE(state.in_extremis());  // For min_dwell.
+  state = NextColregsState(state, own, passes, kLimits, 3.25);
+  EXPECT_TRUE(state.stands_on());
+  ColregsLimits original = kLimits;
+  original.steady = false;
+  state = First(own, ContactAt(14, 180, 0, 2.4), original);
+  ASSERT_TRUE(state.in_extremis());
+  state = NextColregsState(state, own, passes, original, 3.25);
+  EXPECT_TRUE(state.in_extremis());
+}
+
+TEST(Rule13, KeepsTheSideOfPassingOnceItIsChosen) {
+  const ColregsState state = {.mode = ColregsMode::kOvertaking, .sub_mode = ColregsSubMode::kPort};
+  EXPECT_EQ(NextColregsState(state, Northbound(2), ContactAt(40, 340, 0, 1), kLimits, 0).sub_mode,
+            ColregsSubMode::kPort);
 }
 
 }  // namespace shoal::colregs_state_test

@@ -35,6 +35,14 @@ RelativeGeometry GeometryOf(const VesselMotion& own, const VesselMotion& contact
   return geometry;
 }
 
+bool IsDanger(const RelativeGeometry& geometry, double min_cpa_m, double max_cpa_m) {
+  constexpr double kNear_s = 10;
+  const double least_m = 2 * min_cpa_m;
+  const double near_m =
+      std::clamp(-kNear_s * geometry.range_rate_mps, least_m, std::max(least_m, max_cpa_m));
+  return geometry.range_rate_mps < 0 && geometry.cpa_m <= min_cpa_m && geometry.range_m <= near_m;
+}
+
 std::string_view Name(EncounterRole role) {
   switch (role) {
     case EncounterRole::kNone:

@@ -37,6 +37,11 @@ struct RelativeGeometry {
 [[nodiscard]] double ClosestApproach(const Eigen::Vector2d& offset_m,
                                      const Eigen::Vector2d& velocity_mps, double horizon_s);
 
+/// Imminent danger, whatever the roles: the two close, going on takes them within `min_cpa_m` of
+/// each other, and the contact is nearer than ten seconds, at least than 2 min_cpa_m, and at most
+/// than max_cpa_m where that is more.
+[[nodiscard]] bool IsDanger(const RelativeGeometry& geometry, double min_cpa_m, double max_cpa_m);
+
 /// Own ship's part in an encounter.
 enum class EncounterRole {
   kNone,        ///< No risk of collision, or too far.

@@ -1,6 +1,7 @@
 #include "lib/helm/colregs/passing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "lib/base/arithmetic/elementary.h"
@@ -13,15 +14,15 @@ Aspect AspectOf(double alpha_deg) {
 }
 
 bool PassesPort(const Aspect& aspect, double bearing_rate_degps) {
-  return aspect.fore ? bearing_rate_degps < 0 : bearing_rate_degps > 0;
+  return aspect.fore ? bearing_rate_degps < -kNoDrift : bearing_rate_degps > kNoDrift;
 }
 
 bool IsBowSide(const Aspect& aspect, double bearing_rate_degps) {
-  return aspect.port ? bearing_rate_degps >= 0 : bearing_rate_degps <= 0;
+  return aspect.port ? bearing_rate_degps >= -kNoDrift : bearing_rate_degps <= kNoDrift;
 }
 
 bool IsSternSide(const Aspect& aspect, double bearing_rate_degps) {
-  return aspect.port ? bearing_rate_degps <= 0 : bearing_rate_degps >= 0;
+  return aspect.port ? bearing_rate_degps <= kNoDrift : bearing_rate_degps >= -kNoDrift;
 }
 
 Passing PassingOf(const VesselMotion& own, const VesselMotion& contact) {
@@ -39,10 +40,10 @@ Passing PassingOf(const VesselMotion& own, const VesselMotion& contact) {
   }
   const double turned_rad = DegToRad(own.heading_deg - contact.heading_deg);
   const double lead_mps = contact_mps - own_mps * Cos(turned_rad);
-  passing.passes = (aspect.fore ? lead_mps : -lead_mps) > 0;
+  passing.passes = (aspect.fore ? lead_mps : -lead_mps) > kNoDrift;
   passing.passes_port = PassesPort(aspect, passing.bearing_rate_degps);
   const double to_starboard_mps = own_mps * Sin(turned_rad);
-  passing.crosses = (aspect.port ? to_starboard_mps : -to_starboard_mps) > 0;
+  passing.crosses = (aspect.port ? to_starboard_mps : -to_starboard_mps) > kNoDrift;
   passing.crosses_bow = passing.crosses && IsBowSide(aspect, passing.bearing_rate_degps);
   passing.crosses_stern = passing.crosses && IsSternSide(aspect, passing.bearing_rate_degps);
   return passing;
@@ -56,7 +57,8 @@ double CrossingDistance(const VesselMotion& own, const VesselMotion& contact) {
       std::max(0.0, own.speed_mps) * UnitVector(DegToRad(own.heading_deg));
   const double across_m = offset_m.dot(starboard);
   const double across_mps = velocity_mps.dot(starboard);
-  if (across_m * across_mps >= 0) return std::numeric_limits<double>::infinity();
+  if (across_m * across_mps >= 0 || std::abs(across_mps) <= kNoDrift)
+    return std::numeric_limits<double>::infinity();
   const double time_s = -across_m / across_mps;
   const double ahead_mps = velocity_mps.dot(bow) - std::max(0.0, contact.speed_mps);
   return offset_m.dot(bow) + ahead_mps * time_s;

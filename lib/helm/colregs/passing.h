@@ -9,6 +9,10 @@
 
 namespace shoal {
 
+/// Less is none, in m/s and deg/s: a vessel on the contact's own course would otherwise cross its
+/// line, or not, by the rounding of a sine.
+inline constexpr double kNoDrift = 1e-6;
+
 struct Passing {
   bool passes = false;
   bool passes_port = false;  ///< Would pass on the contact's port side, else on its starboard side.

@@ -95,4 +95,20 @@ RC_GTEST_PROP(Passing, CrossesTheBowWhereTheCrossingIsAhead, ()) {
   RC_ASSERT(passing.crosses_stern == (ahead_m < 0));
 }
 
+TEST(Passing, CrossesNothingOnTheOthersOwnCourse) {
+  for (int heading_deg = 0; heading_deg < 360; ++heading_deg) {
+    const double rad = DegToRad(heading_deg);
+    const VesselMotion contact = {
+        .position_m = {3, 4}, .heading_deg = static_cast<double>(heading_deg), .speed_mps = 2};
+    const VesselMotion own = {
+        .position_m = contact.position_m + 20 * UnitVector(rad) + 7 * UnitVector(rad + kPi / 2),
+        .heading_deg = static_cast<double>(heading_deg),
+        .speed_mps = 2};
+    const Passing passing = PassingOf(own, contact);
+    EXPECT_FALSE(passing.crosses) << heading_deg;
+    EXPECT_FALSE(passing.passes) << heading_deg;
+    EXPECT_EQ(CrossingDistance(own, contact), std::numeric_limits<double>::infinity());
+  }
+}
+
 }  // namespace shoal::passing_test

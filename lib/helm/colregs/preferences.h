@@ -1,6 +1,9 @@
 // What the collision regulations prefer, as a function of course and speed.
 //
-//   cpa, in extremis     the utility of the closest distance
+//   cpa, in extremis     the utility of the closest distance; in extremis 0 to port of the course
+//   of
+//                        the entry for a contact on the port side (17 c), and faster than at the
+//                        entry where overtaken
 //   head-on (14)         0 where it passes starboard to starboard or crosses ahead from the
 //                        contact's port side; else that utility, and up to 100 more the faster the
 //                        contact's bearing drifts to port: alter to starboard, and early
@@ -26,12 +29,17 @@ struct ColregsPreferences {
   double max_cpa_m = 75;
   double horizon_s = 120;
   bool port_turns_ok = true;  ///< False: giving way never turns to port, and always crosses astern.
+  bool steady = true;         ///< False: in extremis all courses and speeds are allowed.
 };
 
 /// Returns the utility of closest distances: from 25 at min_cpa_m, or at half the distance where
 /// that is not more, so that closer than min_cpa_m farther is still better.
 [[nodiscard]] CpaUtility CpaUtilityAt(double range_m, double min_cpa_m, double max_cpa_m,
                                       double at_lo = 25);
+
+/// Returns the utility of closest distances in danger: from 0 at a collision to 100 at twice
+/// min_cpa_m, so that something is better than the rest wherever own ship cannot get clear.
+[[nodiscard]] CpaUtility CpaUtilityInDanger(double min_cpa_m);
 
 /// The value in a role that acts, before it is normalised.
 class ColregsFunction final : public CourseSpeedFunction {
@@ -46,7 +54,16 @@ class ColregsFunction final : public CourseSpeedFunction {
 
  private:
   /// What is forbidden.
-  enum class Rule { kNothing, kHeadOn, kGiveWayStern, kGiveWayBow, kPassStarboard, kPassPort };
+  enum class Rule {
+    kNothing,
+    kHeadOn,
+    kGiveWayStern,
+    kGiveWayBow,
+    kPassStarboard,
+    kPassPort,
+    kNotToPort,
+    kNotFaster
+  };
   enum class Truth { kNever, kSometimes, kAlways };
 
   static Truth Not(Truth a);
@@ -55,6 +72,7 @@ class ColregsFunction final : public CourseSpeedFunction {
   static Truth Above(const Range& value, double threshold);
   static Truth AtLeast(const Range& value, double threshold);
 
+  double SpeedAt(int speed) const { return first_mps_ + step_mps_ * speed; }
   bool IsForbidden(int course, int speed) const;
   Truth IsForbidden(const GridBox& box) const;
   Truth Turns(const GridBox& box, bool to_starboard) const;
@@ -72,6 +90,10 @@ class ColregsFunction final : public CourseSpeedFunction {
   double contact_drift_mps_ = 0;
   double head_on_drift_mps_ = 0;  ///< < 0: drift at which the bonus is full.
   double own_heading_deg_ = 0;
+  double first_mps_ = 0;
+  double step_mps_ = 0;
+  double hold_deg_ = 0;  ///< In extremis, from the port side: no course to port of this.
+  double hold_mps_ = 0;  ///< In extremis, overtaken: no speed above this.
   bool port_turns_ok_ = true;
 };
 

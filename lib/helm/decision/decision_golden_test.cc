@@ -28,9 +28,10 @@ Objective Avoid(const GoldenEncounter& at) {
 }
 
 Objective Colregs(const GoldenEncounter& at) {
-  const ColregsState state =
-      NextColregsState({}, at.own, at.contact, {.outer_m = 80, .min_cpa_m = 8, .max_cpa_m = 25}, 0);
-  return ColregsObjective(state, at.own, at.contact, {.min_cpa_m = 8, .max_cpa_m = 25}, kDomain);
+  const ColregsState state = NextColregsState(
+      {}, at.own, at.contact, {.outer_m = 80, .min_cpa_m = 8, .max_cpa_m = 25, .steady = false}, 0);
+  return ColregsObjective(state, at.own, at.contact,
+                          {.min_cpa_m = 8, .max_cpa_m = 25, .steady = false}, kDomain);
 }
 
 /// Toward (100, 0) at 2 m/s.

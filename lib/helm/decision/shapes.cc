@@ -142,6 +142,13 @@ class SignedParts {
   std::array<GridPoint, 8> first_guesses_;
 };
 
+/// Returns the index of the value nearest to `value`, the upper one of two, as the original rounds.
+int NearestHalfUp(const Axis& axis, double value) {
+  constexpr double kTie = 1e-9;
+  const double place = std::floor((value - axis.first) / axis.step + 0.5 + kTie);
+  return static_cast<int>(std::clamp(place, 0.0, static_cast<double>(axis.count - 1)));
+}
+
 }  // namespace
 
 std::vector<double> PeakOverCourse(double summit_deg, double peak_deg, double base_deg,
@@ -174,11 +181,11 @@ std::vector<double> PeakOverAxis(const Axis& axis, double summit, double peak, d
 std::vector<double> SpeedPolyline(const Axis& axis, double med, double low, double high,
                                   double u_low, double u_high) {
   const int last = axis.count - 1;
-  const Knot middle{.index = axis.Nearest(med), .value = 100};
+  const Knot middle{.index = NearestHalfUp(axis, med), .value = 100};
   // On each side the knot nearer to the middle is written later, and so prevails.
-  Knot rising{.index = std::min(axis.Nearest(low), middle.index), .value = u_low};
+  Knot rising{.index = std::min(NearestHalfUp(axis, low), middle.index), .value = u_low};
   if (rising.index == middle.index) rising = middle;
-  Knot falling{.index = std::max(axis.Nearest(high), middle.index), .value = u_high};
+  Knot falling{.index = std::max(NearestHalfUp(axis, high), middle.index), .value = u_high};
   if (falling.index == middle.index) falling = middle;
   const Knot begin = rising.index == 0 ? rising : Knot{.index = 0, .value = 0};
   const Knot end = falling.index == last ? falling : Knot{.index = last, .value = 0};

@@ -34,6 +34,7 @@ void Describe(Fields& fields, ContactOptions& options, bool is_recipe) {
 template <class Options>
 void Avoidance(Fields& fields, Options& o, bool is_recipe) {
   Describe(fields, o.contact, is_recipe);
+  OrOff(fields, "vertical_separation", o.contact.vertical_separation, 20'000);
   fields.Number("pwt_outer_dist", o.pwt_outer_dist, Above(0, kFarthest_m));
   fields.Number("pwt_inner_dist", o.pwt_inner_dist, kDistanceRange);
   fields.Number("completed_dist", o.completed_dist, Above(0, kFarthest_m));
@@ -41,6 +42,7 @@ void Avoidance(Fields& fields, Options& o, bool is_recipe) {
   fields.Number("max_util_cpa_dist", o.max_util_cpa_dist, kDistanceRange);
   OneWordOf(fields, "pwt_grade", o.pwt_grade, {"linear", "quasi", "quadratic"});
   fields.Number("time_on_leg", o.time_on_leg, Above(0, 36'000));
+  fields.Flag("steady", o.steady);
   fields.Number("widen_per_s", o.widen_per_s, Between(0, kFastest_mps));
   fields.CalledElsewhere("pwt_outer_dist", "active_outer_distance");
   fields.CalledElsewhere("pwt_inner_dist", "active_inner_distance");

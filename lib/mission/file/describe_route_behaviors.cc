@@ -29,7 +29,8 @@ void AltSpeed(Fields& fields, double& speed, double& speed_alt, bool& use_alt_sp
   fields.CalledElsewhere("speed", "speed_mps");
 }
 
-void Lead(Fields& fields, double& lead, double& lead_damper) {
+void Lead(Fields& fields, double& lead, double& lead_damper, double& return_angle) {
+  fields.Number("return_angle", return_angle, Between(5, 90));
   OrOff(fields, "lead", lead, kFarthest_m);
   OrOff(fields, "lead_damper", lead_damper, kFarthest_m);
   fields.CalledElsewhere("lead", "lead_distance");
@@ -47,7 +48,7 @@ void DescribeKind(Fields& fields, WaypointOptions& o, bool is_recipe) {
   Capture(fields, "capture_radius", o.capture_radius, o.slip_radius);
   fields.Flag("capture_line", o.capture_line);
   fields.Flag("capture_line_only", o.capture_line_only);
-  Lead(fields, o.lead, o.lead_damper);
+  Lead(fields, o.lead, o.lead_damper, o.return_angle);
   fields.Flag("lead_to_start", o.lead_to_start);
   fields.Text("lead_condition", o.lead_condition, {.max_length = 1000});
   if (!o.lead_condition.empty()) {
@@ -144,7 +145,7 @@ void DescribeKind(Fields& fields, LegRunOptions& o, bool is_recipe) {
   OneWordOf(fields, "turn1_dir", o.turn1_dir, {"auto", "port", "starboard"});
   OneWordOf(fields, "turn2_dir", o.turn2_dir, {"auto", "port", "starboard"});
   Capture(fields, "capture_radius", o.capture_radius, o.slip_radius);
-  Lead(fields, o.lead, o.lead_damper);
+  Lead(fields, o.lead, o.lead_damper, o.return_angle);
   Patience(fields, o.patience);
   fields.SmallInteger("repeat", o.repeat, -1, 1'000'000);
   FlagTexts(fields, "leg_end_flag", o.leg_end_flag);

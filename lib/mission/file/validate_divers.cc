@@ -36,9 +36,11 @@ void WarnOfDivers(const Mission& mission, const TablePlace& file) {
     for (size_t k = 0; k < vehicle.behaviors.size(); ++k) {
       const BehaviorOptions& behavior = vehicle.behaviors[k];
       if (!AlertRangeOf(behavior.what)) continue;
+      const double separation_m = ContactOptionsOf(behavior.what)->vertical_separation;
       std::vector<std::string> names;
       for (const Vehicle& other : mission.vehicles) {
-        const bool is_apart = std::abs(DeepestOf_m(other) - own_m) >= kApart_m;
+        const double apart_m = std::abs(DeepestOf_m(other) - own_m);
+        const bool is_apart = apart_m >= kApart_m && (separation_m < 0 || apart_m <= separation_m);
         if (&other != &vehicle && is_apart && MayKeepClearOf(behavior, other)) {
           names.push_back(other.name);
         }
@@ -46,11 +48,13 @@ void WarnOfDivers(const Mission& mission, const TablePlace& file) {
       if (names.empty()) continue;
       file.Below("vehicle", i)
           .Below("behavior", k)
-          .Warn(
-              "kind",
-              fmt::format("{} keeps clear of {} as if both were at one depth, but their tasks are "
-                          "{:g} m or more apart; ignore_name = [...] leaves contacts out",
-                          behavior.name, fmt::join(names, ", "), kApart_m));
+          .Warn("kind",
+                fmt::format(
+                    "{} keeps clear of {} as if both were at one depth, but their tasks are "
+                    "{:g} m or more apart: write vertical_separation = {:g}, or leave contacts "
+                    "out by ignore_name = [...]",
+                    behavior.name, fmt::join(names, ", "), kApart_m,
+                    ContactOptions().vertical_separation));
     }
   }
 }

@@ -26,13 +26,22 @@ std::string WarningsOf(const std::string& behavior, const std::string& depth_m =
   return text;
 }
 
-const std::string kAvoid = "kind = \"avoid_collision\", name = \"clear\", contact = ";
+const std::string kFlat = "vertical_separation = -1, ";
+const std::string kAvoid = kFlat + "kind = \"avoid_collision\", name = \"clear\", contact = ";
 
 TEST(Divers, FarBelowABoatThatKeepsClearOfThemAreWarnedOf) {
   EXPECT_EQ(WarningsOf(kAvoid + "\"auv\""),
-            "m.toml:5:21: warning: clear keeps clear of auv as if both were at one depth, but "
-            "their tasks are 10 m or more apart; ignore_name = [...] leaves contacts out\n");
-  EXPECT_NE(WarningsOf("kind = \"colregs\", name = \"rules\", contact = \"auv\""), "");
+            "m.toml:5:47: warning: clear keeps clear of auv as if both were at one depth, but "
+            "their tasks are 10 m or more apart: write vertical_separation = 10, or leave contacts "
+            "out by ignore_name = [...]\n");
+  EXPECT_NE(WarningsOf(kFlat + "kind = \"colregs\", name = \"rules\", contact = \"auv\""), "");
+  EXPECT_NE(
+      WarningsOf("kind = \"colregs\", contact = \"auv\", name = \"a\", vertical_separation = 20"),
+      "");
+}
+
+TEST(Divers, AreNotKeptClearOfByDefault) {
+  EXPECT_EQ(WarningsOf("kind = \"colregs\", name = \"rules\", contact = \"auv\""), "");
 }
 
 TEST(Divers, NearTheSurfaceOrOfOtherBehaviorsAreNoneToWarnOf) {
@@ -41,7 +50,7 @@ TEST(Divers, NearTheSurfaceOrOfOtherBehaviorsAreNoneToWarnOf) {
 }
 
 TEST(Divers, OfARecipeAreThoseThatItsFiltersPass) {
-  const std::string recipe = "kind = \"colregs\", name = \"rules\", templating = \"spawn\"";
+  const std::string recipe = kFlat + "kind = \"colregs\", name = \"rules\", templating = \"spawn\"";
   EXPECT_NE(WarningsOf(recipe), "");
   EXPECT_EQ(WarningsOf(recipe + ", ignore_name = [\"auv\"]"), "");
   EXPECT_EQ(WarningsOf(recipe + ", match_name = [\"other\"]"), "");
