@@ -35,10 +35,17 @@ double CourseOf(const Fix& fix) {
                                                             : fix.heading_rad;
 }
 
+std::optional<double> CruiseDepthOf(const AnyModel& model) {
+  const auto* remus100 = std::get_if<Remus100Options>(&model);
+  return remus100 == nullptr ? std::nullopt : std::optional(remus100->cruise_depth_m);
+}
+
 }  // namespace
 
 HelmEndings::HelmEndings(const Vehicle& vehicle)
-    : options_(vehicle.helm_options), is_underwater_(FactsOfModel(vehicle.model).is_underwater) {}
+    : options_(vehicle.helm_options),
+      is_underwater_(FactsOfModel(vehicle.model).is_underwater),
+      cruise_depth_m_(CruiseDepthOf(vehicle.model)) {}
 
 Ending HelmEndings::AfterList(const Task* last) const {
   if (options_.end_of_tasks && options_.end_of_tasks != Ending::kEndMission) {
@@ -74,6 +81,16 @@ TaskRunner::What HelmEndings::TaskFor(Ending ending, const Fix& fix, const Guida
   }
   if (is_underwater_) return HoldHere(options_.hold_radius_m, z_m);
   return HoldAt(fix.position_m, fix);
+}
+
+TaskRunner::What HelmEndings::AtItsDepth(TaskRunner::What what) const {
+  if (auto* keep = std::get_if<StationKeepTask>(&what); keep && !keep->z_m) {
+    keep->z_m = cruise_depth_m_;
+  }
+  if (auto* home = std::get_if<ReturnTask>(&what); home && !home->z_m) {
+    home->z_m = cruise_depth_m_;
+  }
+  return what;
 }
 
 StationKeepTask HelmEndings::HoldAt(const Eigen::Vector2d& point_m, const Fix& fix) const {

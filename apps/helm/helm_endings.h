@@ -21,9 +21,14 @@ class HelmEndings {
   /// Returns the task that keeps station about a point, at the depth of `fix`.
   StationKeepTask HoldAt(const Eigen::Vector2d& point_m, const Fix& fix) const;
 
+  /// Returns a task of the list as this vehicle does it: one that keeps a place keeps a depth, that
+  /// of the vehicle's tasks that name none.
+  TaskRunner::What AtItsDepth(TaskRunner::What what) const;
+
  private:
   HelmOptions options_;
   bool is_underwater_;
+  std::optional<double> cruise_depth_m_;  ///< Of a vehicle that dives.
 };
 
 }  // namespace shoal

@@ -44,18 +44,18 @@ HelmStates Ended(const Vehicle& vehicle, const Eigen::Vector3d& place_m) {
 }
 
 TEST(AuvAtTheEndOfItsTasks, StopsAndKeepsItsPlaceAndDepthOnceItIsAtRest) {
-  HelmStates helm = Ended(Auv(PathTaskEnd::kDone), {101, 0, 20.4});
+  HelmStates helm = Ended(Auv(PathTaskEnd::kDone), {101, 0, 20.2});
   EXPECT_EQ(KindOf(*helm.task()), "station_keep");
   EXPECT_EQ(helm.guidance()->speed_mps, 0);
   EXPECT_EQ(helm.guidance()->z_m, 20);
-  helm.Advance(At({110, 0, 20.4}, 60, 0.2), false);
+  helm.Advance(At({110, 0, 20.2}, 60, 0.2), false);
   EXPECT_EQ(helm.guidance()->waypoint_m, Eigen::Vector2d(110, 0));
-  helm.Advance(At({154, 0, 20.4}, 160, 0), false);
+  helm.Advance(At({154, 0, 20.2}, 160, 0), false);
   EXPECT_EQ(helm.guidance()->speed_mps, 0) << "44 m from there";
-  helm.Advance(At({156, 0, 20.4}, 170, 0), false);
+  helm.Advance(At({156, 0, 20.2}, 170, 0), false);
   EXPECT_EQ(helm.guidance()->speed_mps, 1.5);
   EXPECT_NEAR(RadToDeg(helm.guidance()->heading_rad), 270, 1e-9);
-  helm.Advance(At({127, 0, 20.4}, 190, 1.5), false);
+  helm.Advance(At({127, 0, 20.2}, 190, 1.5), false);
   EXPECT_EQ(helm.guidance()->speed_mps, 0) << "17 m from there";
 }
 
@@ -66,14 +66,14 @@ TEST(AuvAtTheEndOfItsTasks, KeepsTheDepthThatItHasWhereItWasFarFromTheOneAskedFo
 TEST(AuvAtTheEndOfItsTasks, SwimsBackToItsDepth) {
   HelmStates helm = Ended(Auv(PathTaskEnd::kDone), {101, 0, 20});
   helm.Advance(At({110, 0, 20}, 60, 0), false);
-  helm.Advance(At({110, 0, 17.1}, 160, 0), false);
+  helm.Advance(At({110, 0, 19.8}, 160, 0), false);
   EXPECT_EQ(helm.guidance()->speed_mps, 0);
-  helm.Advance(At({110, 0, 16.9}, 170, 0), false);
+  helm.Advance(At({110, 0, 19.7}, 170, 0), false);
   EXPECT_EQ(helm.guidance()->speed_mps, 1.5);
   EXPECT_NEAR(RadToDeg(helm.guidance()->heading_rad), 90, 1e-9) << "on its heading: it is there";
-  helm.Advance(At({112, 0, 19.2}, 180, 1.5), false);
+  helm.Advance(At({112, 0, 19.85}, 180, 1.5), false);
   EXPECT_EQ(helm.guidance()->speed_mps, 1.5);
-  helm.Advance(At({113, 0, 19.6}, 185, 1.5), false);
+  helm.Advance(At({113, 0, 19.95}, 185, 1.5), false);
   EXPECT_EQ(helm.guidance()->speed_mps, 0);
 }
 

@@ -130,7 +130,7 @@ void TaskList::Advance(const Fix& fix) {
     if (current->ending) {
       current->task.what = endings_.TaskFor(*current->ending, fix, last_guidance_);
     }
-    current->runner.emplace(current->task.what, fix);
+    current->runner.emplace(endings_.AtItsDepth(current->task.what), fix);
   } else if (current->was_paused) {
     current->runner->Rejoin(fix);
   }

@@ -97,7 +97,8 @@ UnderwaterPilot::UnderwaterPilot(const Remus100Options& options, const SonarOpti
       auv_(BuildRemus100(ParamsOf(options))),
       pilot_(PilotOf(options, auv_)),
       floor_(options, sonar, std::move(chart)),
-      heave_share_(HeaveShareOf(options)) {
+      heave_share_(HeaveShareOf(options)),
+      level_trim_(LevelTrimOf(auv_)) {
   if (GainsOf(options).gains == "munet") ahead_.emplace(auv_, options.model_step_s);
 }
 
@@ -137,6 +138,7 @@ void UnderwaterPilot::Steer(const Guidance& guidance, const nav_t& nav, double d
   rpm_ = RampRpm(rpm_, setpoint_rpm, rate_rpmps, dt_s);
 
   motion.is_driven = rpm_ != 0;
+  motion.level_rad = PitchOf(level_trim_, motion.speed_mps);
 
   const double psi_rad = PsiFromHeading(guidance.heading_rad);
   const double turn_rad = WrapPi(guidance.heading_rad - DegToRad(nav.heading_deg));

@@ -10,6 +10,7 @@
 #include "apps/helm/remus100_ahead.h"
 #include "lib/vehicle/control/auv_pilot.h"
 #include "lib/vehicle/vehicle/remus100.h"
+#include "lib/vehicle/vehicle/trim.h"
 
 namespace shoal {
 
@@ -39,6 +40,7 @@ class UnderwaterPilot : public Pilot {
   AuvPilot pilot_;
   FloorView floor_;
   double heave_share_ = 0;  ///< Radian per metre: see HeaveShareOf.
+  LevelTrim level_trim_;
   double rpm_ = 0;
   bool rests_ = true;
 };

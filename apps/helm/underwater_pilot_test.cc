@@ -120,7 +120,7 @@ TEST(UnderwaterPilot, SteersByTheGainsOfTheMission) {
   gains.pitch_kd = 0.2;
   gains.heave_kd = 0.4;
   for (const char* parameters : {"default", "fossen"}) {
-    Steered steered({.parameters = parameters, .autopilot = gains});
+    Steered steered({.parameters = parameters, .buoyancy_by_weight = 1, .autopilot = gains});
     nav_t nav = NavAt(0, 30);
     nav.yaw_rate_degps = 2;
     nav.pitch_rate_degps = 1;
@@ -224,8 +224,14 @@ TEST(UnderwaterPilot, TakesTheTimeOfItsFilterToAskForANewDepth) {
   EXPECT_NEAR(steered.desired.depth_m, 40 - 10 * std::exp(-1), 1e-9);
 }
 
-TEST(UnderwaterPilot, BeginsAgainWhereTheVehicleIsAfterARest) {
+TEST(UnderwaterPilot, HoldsALightHullDownAtOnce) {
   Steered steered({});
+  steered.Steer(ToHeadingAndDepth(0, 30), NavAt(0, 30));
+  EXPECT_LT(steered.actuators.stern_plane_deg, -0.1) << "the bow goes down";
+}
+
+TEST(UnderwaterPilot, BeginsAgainWhereTheVehicleIsAfterARest) {
+  Steered steered({.buoyancy_by_weight = 1});
   steered.Steer(ToHeadingAndDepth(90, 60), NavAt(0, 30), 100);
   steered.Rest(NavAt(200, 5));
   EXPECT_EQ(steered.actuators.rudder_deg, 0);
@@ -280,7 +286,7 @@ TEST(UnderwaterPilot, SteersAsMunetAtAnySpeedWithItsParameters) {
 }
 
 TEST(UnderwaterPilot, SteersNoHigherThanItsHullFloats) {
-  Steered steered({.depth_filter_s = 0});
+  Steered steered({.depth_filter_s = 0, .buoyancy_by_weight = 1});
   steered.Steer(ToHeadingAndDepth(0, 0), NavAt(0, 1), 40);
   EXPECT_NEAR(steered.desired.depth_m, 0.095 + 0.19 / 4, 1e-6);
   Steered fossen({.parameters = "fossen", .depth_filter_s = 0});

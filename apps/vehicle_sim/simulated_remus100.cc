@@ -7,6 +7,7 @@
 
 #include "lib/base/arithmetic/elementary.h"
 #include "lib/base/geometry/angles.h"
+#include "lib/vehicle/vehicle/trim.h"
 
 namespace shoal {
 
@@ -29,7 +30,9 @@ SimulatedRemus100::SimulatedRemus100(const Remus100Options& options)
 void SimulatedRemus100::Reset(const StartPose& pose, const Water& water) {
   const double psi_rad = PsiFromHeading(DegToRad(pose.heading_deg));
   state_ = Remus100State{};
-  state_.eta << pose.x_m, pose.y_m, pose.depth_m, 0, 0, psi_rad;
+  // Put at the surface, it floats: it does not fall in from above.
+  const double z_m = std::max(pose.depth_m, FloatingDepth(auv_));
+  state_.eta << pose.x_m, pose.y_m, z_m, 0, 0, psi_rad;
   state_.nu.head<3>() = CurrentInBody(auv_, state_.eta, EnvironmentOf(water).current_mps) +
                         Eigen::Vector3d(pose.speed_mps, 0, 0);
   const Eigen::Vector2d through_water =

@@ -211,7 +211,7 @@ std::vector<double> PositionAfterSteps(int num_steps) {
 
 TEST(SimulatedRemus100, CutsATickIntoTheFewestEqualStepsThatAreShortEnough) {
   const auto position_with = [](double model_step_s) -> std::vector<double> {
-    SimulatedRemus100 auv({.model_step_s = model_step_s});
+    SimulatedRemus100 auv({.model_step_s = model_step_s, .buoyancy_by_weight = 1});
     auv.Reset({.speed_mps = 2, .depth_m = 30}, {});
     EXPECT_TRUE(auv.Execute(Command(10, 0, 1200)));
     auv.Step({}, kTick_s);
@@ -244,7 +244,7 @@ TEST(SimulatedRemus100, DistinguishesSpeedRelativeToTheWaterFromThatOverGround) 
 
 TEST(SimulatedRemus100, DriftsWithTheWaterAtRest) {
   const Water water = {.velocity_mps = {-0.3, 0.4}, .floor_z_m = 80};
-  SimulatedRemus100 auv(Remus100Options{});
+  SimulatedRemus100 auv({.buoyancy_by_weight = 1});
   auv.Reset({.heading_deg = 120, .depth_m = 30}, water);
   for (int i = 0; i < 600; ++i) auv.Step(water, kTick_s);
   const nav_t nav = NavOf(auv, water);
@@ -253,6 +253,25 @@ TEST(SimulatedRemus100, DriftsWithTheWaterAtRest) {
   EXPECT_NEAR(nav.y_m, 24, 1e-6);
   EXPECT_NEAR(nav.altitude_m, 50, 1e-6);
   EXPECT_NEAR(nav.course_over_ground_deg, 360 - RadToDeg(std::atan2(0.3, 0.4)), 1e-6);
+}
+
+TEST(SimulatedRemus100, FloatsWhereItIsPutAtTheSurfaceAndComesUpFromBelow) {
+  SimulatedRemus100 auv(Remus100Options{});
+  auv.Reset({.depth_m = 0}, {});
+  for (int i = 0; i < 600; ++i) {
+    auv.Step({}, kTick_s);
+    ASSERT_NEAR(NavOf(auv).z_m, 0.09, 0.02);
+  }
+  auv.Reset({.depth_m = 10}, {});
+  for (int i = 0; i < 1200; ++i) auv.Step({}, kTick_s);
+  EXPECT_NEAR(NavOf(auv).z_m, 0.09, 0.02);
+}
+
+TEST(SimulatedRemus100, FloatsUpByDefaultAndIsNeutralWithTheParametersOfThePublishedPrograms) {
+  EXPECT_EQ(BuoyancyOf({}), 1.005);
+  EXPECT_EQ(BuoyancyOf({.parameters = "munet"}), 1);
+  EXPECT_EQ(BuoyancyOf({.parameters = "fossen"}), 1);
+  EXPECT_EQ(BuoyancyOf({.parameters = "munet", .buoyancy_by_weight = 1.01}), 1.01);
 }
 
 TEST(SimulatedRemus100, KnowsNoAltitudeWithoutAFloor) {

@@ -57,6 +57,7 @@ std::string OneAuv(const std::string& options, const std::string& end, double du
   return "[mission]\nduration_s = " + std::to_string(duration_s) + "\n[environment]\n" +
          environment +
          "\n[[vehicle]]\nname = \"alpha\"\nmodel = \"remus100\"\n"
+         "remus100 = {buoyancy_by_weight = 1.0}\n"
          "start = {heading_deg = 90, depth_m = 20, speed_mps = 1.5}\n"
          "helm_options = {deploy_at_start = true" +
          options +
@@ -173,6 +174,78 @@ TEST(EndOfTasks, StaysWhereItCameToRestInStillWater) {
   RecordProperty("off_depth_m", std::to_string(station.off_depth_m));
   RecordProperty("turned_deg", std::to_string(station.turned_deg));
   RecordProperty("way_s", std::to_string(station.way_s));
+}
+
+/// Returns the greatest distance from 20 m of depth of each vehicle, from `from_s` on.
+std::vector<double> OffDepth(const std::string& text, double from_s) {
+  std::vector<double> off_m;
+  FlyMission(text, [&](double time_s, const std::vector<Seen>& seen) {
+    off_m.resize(seen.size());
+    for (size_t i = 0; i < seen.size() && time_s > from_s; ++i) {
+      off_m[i] = std::max(off_m[i], std::abs(seen[i].nav.z_m - 20));
+    }
+  });
+  return off_m;
+}
+
+/// AUVs that keep a place by a task, an order, a return and the end of a path.
+std::string FourWaysToStay(const std::string& environment, double buoyancy_by_weight) {
+  std::string text =
+      "[mission]\nduration_s = 500\n[environment]\n" + environment +
+      "[template.auv]\nmodel = \"remus100\"\nhelm_options = {deploy_at_start = true}\n"
+      "remus100 = {cruise_depth_m = 20, buoyancy_by_weight = " +
+      std::to_string(buoyancy_by_weight) + "}\n";
+  const auto add = [&](const std::string& name, const std::string& task) {
+    text += "[[vehicle]]\nname = \"" + name +
+            "\"\ntemplate = \"auv\"\nstart = {heading_deg = 90, depth_m = 20}\n"
+            "[[vehicle.task]]\n" +
+            task + "\n";
+  };
+  add("task", "kind = \"station_keep\"");
+  add("order", "kind = \"path_follow\"\npoints = [[0, 0, 20], [900, 0, 20]]");
+  add("home", "kind = \"return\"");
+  add("path", "kind = \"path_follow\"\npoints = [[0, 0, 20], [90, 0, 20]]\nend = \"hold\"");
+  return text + "[[event]]\nat_s = 60\nvehicle = \"order\"\ncommand = \"station_keep\"\n";
+}
+
+TEST(AVehicleThatStays, KeepsItsDepthWithinAMetreByTaskOrderReturnAndPath) {
+  for (const std::string environment : {"", kCurrent}) {
+    for (const double buoyancy_by_weight : {1.0, 1.005, 1.01}) {
+      const std::vector<double> off_m =
+          OffDepth(FourWaysToStay(environment, buoyancy_by_weight), 0);
+      for (size_t i = 0; i < off_m.size(); ++i) {
+        EXPECT_LT(off_m[i], 1) << "vehicle " << i << ", buoyancy " << buoyancy_by_weight
+                               << (environment.empty() ? "" : ", in a current");
+      }
+    }
+  }
+}
+
+TEST(AVehicleThatStays, GoesToTheDepthOfItsTasksFirst) {
+  const std::string text =
+      "[mission]\nduration_s = 500\n[[vehicle]]\nname = \"alpha\"\nmodel = \"remus100\"\n"
+      "helm_options = {deploy_at_start = true}\nremus100 = {cruise_depth_m = 20}\n"
+      "[[vehicle.task]]\nkind = \"station_keep\"\n";
+  EXPECT_LT(OffDepth(text, 200).at(0), 1);
+}
+
+TEST(AtTheSurface, AParkedVehicleAndOneThatKeepsItsPlaceHaveTheirAntennasOut) {
+  const auto expect_up = [](const std::string& text) {
+    double deepest_m = 0;
+    FlyMission(text, [&](double, const std::vector<Seen>& seen) {
+      deepest_m = std::max(deepest_m, seen[0].nav.z_m);
+    });
+    EXPECT_LT(deepest_m, 0.2);
+  };
+  for (const std::string buoyancy : {"1.0", "1.005"}) {
+    for (const std::string deploy : {"true", "false"}) {
+      expect_up(
+          "[mission]\nduration_s = 300\n[[vehicle]]\nname = \"alpha\"\n"
+          "model = \"remus100\"\nremus100 = {buoyancy_by_weight = " +
+          buoyancy + "}\nhelm_options = {deploy_at_start = " + deploy +
+          "}\n[[vehicle.task]]\nkind = \"station_keep\"\n");
+    }
+  }
 }
 
 TEST(EndOfTasks, KeepsItsStationInACurrentWithoutCircling) {

@@ -9,10 +9,15 @@
 
 namespace shoal {
 
+double BuoyancyOf(const Remus100Options& options) {
+  constexpr double kFloats = 1.005;
+  return options.buoyancy_by_weight.value_or(options.parameters == "default" ? kFloats : 1);
+}
+
 Remus100Params ParamsOf(const Remus100Options& model) {
   std::optional<Remus100Params> params = Remus100ParamsByName(model.parameters);
   SHOAL_CHECK(params.has_value(), "the mission file was checked");
-  params->buoyancy_by_weight = model.buoyancy_by_weight;
+  params->buoyancy_by_weight = BuoyancyOf(model);
   return *params;
 }
 
@@ -27,7 +32,9 @@ void Describe(Fields& fields, Remus100Options& options) {
   fields.Number("seabed_clearance_m", options.seabed_clearance_m, Between(0, 1000));
   fields.Number("depth_filter_s", options.depth_filter_s, Between(0, 1000));
   fields.Number("max_propeller_rate_rpmps", options.max_propeller_rate_rpmps, Between(0, 1e6));
-  fields.Number("buoyancy_by_weight", options.buoyancy_by_weight, Between(0.9, 1.1));
+  double buoyancy_by_weight = BuoyancyOf(options);
+  fields.Number("buoyancy_by_weight", buoyancy_by_weight, Between(0.9, 1.1));
+  if (buoyancy_by_weight != BuoyancyOf(options)) options.buoyancy_by_weight = buoyancy_by_weight;
   fields.Word("floor_from", options.floor_from, kFloorSources);
 }
 

@@ -21,7 +21,8 @@ struct Remus100Options {
   double seabed_clearance_m = 5;
   double depth_filter_s = 20;           ///< Time constant of the commanded depth; 0: one step.
   double max_propeller_rate_rpmps = 0;  ///< 0: the propeller is commanded at once.
-  double buoyancy_by_weight = 1;        ///< When submerged; 1 is neutral, above 1 floats up.
+  /// When submerged; 1 is neutral, above 1 floats up. Absent: what suits `parameters`, BuoyancyOf.
+  std::optional<double> buoyancy_by_weight = {};
   /// What it knows of the floor ahead: altimeter, sonar (and altimeter), or chart.
   std::string floor_from = "altimeter";
   std::optional<Remus100Gains> autopilot = {};  ///< Absent: the set that suits `parameters`.
@@ -34,6 +35,9 @@ constexpr ModelFacts FactsOf(const Remus100Options& /*model*/) {
       .name = "remus100", .is_underwater = true, .longest_tick_s = 0.2, .turning_diameter_m = 45};
 }
 
+/// Returns buoyancy by weight: a default hull floats up as a real one is ballasted to, by 1.5 N of
+/// 304 N; those of the published programs are neutral.
+[[nodiscard]] double BuoyancyOf(const Remus100Options& options);
 /// Returns what the vehicle is made of. @pre the name of the parameters is one of the three
 [[nodiscard]] Remus100Params ParamsOf(const Remus100Options& model);
 /// Returns the gains that steer it.

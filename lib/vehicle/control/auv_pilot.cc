@@ -85,7 +85,7 @@ AuvDeflections AuvPilot::KeepHeadingAndDepth(const AuvMotion& given, double psi_
   }
   MoveDesiredDepth(motion, goal_m, bound.now_m, along_rad, dt_s);
   theta_d_rad_ = depth_.Update(params_.depth, motion.z_m, depth_filter_.z_d_m,
-                               motion.is_driven ? dt_s : 0, along_rad);
+                               motion.is_driven ? dt_s : 0, along_rad + motion.level_rad);
   return Deflect(motion, observer_.psi_d_rad, dt_s);
 }
 
@@ -97,7 +97,7 @@ AuvDeflections AuvPilot::KeepHeadingAndPitch(const AuvMotion& given, double psi_
   // The references of the other mode begin where the vehicle is then.
   observer_ = {.psi_d_rad = WrapPi(motion.psi_rad)};
   depth_filter_ = {.z_d_m = motion.z_m};
-  theta_d_rad_ = RaisedPitch(motion, theta_d_rad, bound, dt_s);
+  theta_d_rad_ = RaisedPitch(motion, theta_d_rad + motion.level_rad, bound, dt_s);
   return Deflect(motion, psi_d_rad, dt_s);
 }
 
@@ -140,7 +140,7 @@ double AuvPilot::PitchAlong(const DepthBound& bound, double goal_m, double speed
 double AuvPilot::RaisedPitch(const AuvMotion& motion, double theta_d_rad, const DepthBound& bound,
                              double dt_s) {
   const double deepest_m = params_.depth_limits.max_z_m;
-  const double along_rad = PitchAlong(bound, deepest_m, motion.speed_mps);
+  const double along_rad = PitchAlong(bound, deepest_m, motion.speed_mps) + motion.level_rad;
   // Compared where a pitch that is asked for now will have come about: so a dive ends in time. Far
   // above the bound this asks for a dive steeper than any.
   const double z_soon_m =

@@ -46,6 +46,7 @@ struct AuvMotion {
   double r_radps = 0;
   double speed_mps = 0;   ///< Through water.
   bool is_driven = true;  ///< The propeller turns; else the integrals are held.
+  double level_rad = 0;   ///< Pitch, bow up, at which it goes on a level; 0: it is neutral.
 };
 
 struct AuvDeflections {

@@ -91,10 +91,14 @@ void PathFollower::Hold(const Eigen::Vector3d& position_m, PathGuidance* guidanc
   const Eigen::Vector3d last_m = Plausible(params_.path.points_m.back());
   const Eigen::Vector3d way_m = last_m - Plausible(position_m);
   const double distance_m = way_m.head<2>().norm();
+  const bool is_near = distance_m <= params_.waypoint_switch.acceptance_radius_m;
   if (distance_m > params_.hold_radius_m) goes_back_ = true;
-  if (distance_m <= params_.waypoint_switch.acceptance_radius_m) goes_back_ = false;
-  if (goes_back_) held_psi_rad_ = WrapPi(Atan2(way_m.y(), way_m.x()));
-  guidance->speed_mps = goes_back_ ? params_.speed_mps : 0;
+  if (is_near) goes_back_ = false;
+  const bool is_off_depth = depth_band_.IsLeft(way_m.z());
+  const bool is_under_way = goes_back_ || is_off_depth;
+  // Close to the point it only changes its depth, straight on.
+  if (is_under_way && !is_near) held_psi_rad_ = WrapPi(Atan2(way_m.y(), way_m.x()));
+  guidance->speed_mps = is_under_way ? params_.speed_mps : 0;
   guidance->next_m = last_m;
   guidance->z_m = last_m.z();
   guidance->y_e_m = 0;

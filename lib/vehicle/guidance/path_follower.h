@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "lib/vehicle/guidance/alos.h"
+#include "lib/vehicle/guidance/depth_band.h"
 #include "lib/vehicle/guidance/path_progress.h"
 #include "lib/vehicle/guidance/waypoint_path.h"
 
@@ -75,6 +76,7 @@ class PathFollower {
   double bare_crab_rad_ = 0;  ///< Without the guards.
   double held_psi_rad_ = 0;   ///< The last course steered: kept while it stands.
   bool goes_back_ = false;    ///< kHold: on its way back to the last waypoint.
+  DepthBand depth_band_;      ///< kHold.
   bool surfaced_ = false;
 };
 

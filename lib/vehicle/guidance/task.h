@@ -71,7 +71,7 @@ struct StationKeepTask {
   double outer_radius_m = 10;  ///< > inner_radius_m.
   double speed_mps = 1.0;
   bool stops_first = false;  ///< `here` is where it has come to rest.
-  /// Depth to keep: from 3 m away it swims back to it. Absent: the task knows of none.
+  /// Depth to keep, within 1 m: it swims back to it. Absent: the task knows of none.
   std::optional<double> z_m = {};
 
   bool operator==(const StationKeepTask&) const = default;
@@ -84,7 +84,8 @@ struct ReturnTask {
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();
   double speed_mps = 1.5;
   CaptureRule capture = {};
-  double outer_radius_m = 10;  ///< Home, it keeps station inside this radius.
+  double outer_radius_m = 10;      ///< Home, it keeps station inside this radius.
+  std::optional<double> z_m = {};  ///< Depth to go at and to keep. Absent: it knows of none.
 
   bool operator==(const ReturnTask&) const = default;
 };

@@ -16,10 +16,6 @@ namespace {
 
 /// A vehicle this slow has come to rest: its fins hold nothing any more.
 constexpr double kAtRest_mps = 0.3;
-/// Farther from its depth than this, a vehicle that keeps station swims ...
-constexpr double kDepthBand_m = 3;
-/// ... until it is nearer than this.
-constexpr double kAtDepth_m = 0.5;
 
 // Returns the corner at which entering costs least: the way there, and a diameter for every radian
 // that the vessel would then have to turn into the sense of rotation. From outside that is the
@@ -62,7 +58,9 @@ StationKeepTask KeepHome(const ReturnTask& task) {
   keep.here = false;
   keep.inner_radius_m = 0.4 * task.outer_radius_m;
   keep.outer_radius_m = task.outer_radius_m;
-  keep.speed_mps = std::min(keep.speed_mps, task.speed_mps);
+  // What keeps a depth needs way for its fins.
+  keep.speed_mps = task.z_m ? task.speed_mps : std::min(keep.speed_mps, task.speed_mps);
+  keep.z_m = task.z_m;
   return keep;
 }
 
@@ -143,31 +141,25 @@ StationKeepRunner::StationKeepRunner(const StationKeepTask& task, const Fix& sta
       heading_rad_(start.heading_rad),
       has_place_(!task.stops_first || !task.here) {}
 
-// A depth that it does not have when it has come to rest would keep it under way.
-void StationKeepRunner::TakePlace(const Fix& fix) {
-  point_m_ = fix.position_m;
-  has_place_ = fix.speed_mps < kAtRest_mps;
-  const bool is_elsewhere = task_.z_m && std::abs(*task_.z_m - fix.z_m) > kDepthBand_m;
-  if (has_place_ && is_elsewhere) task_.z_m = fix.z_m;
-}
-
 Guidance StationKeepRunner::Update(const Fix& fix) {
-  if (!has_place_) TakePlace(fix);
+  const bool is_off_depth = task_.z_m && depth_band_.IsLeft(fix.z_m - *task_.z_m);
+  if (!has_place_) {
+    point_m_ = fix.position_m;
+    has_place_ = fix.speed_mps < kAtRest_mps || is_off_depth;
+  }
   Guidance guidance;
   guidance.waypoint_m = point_m_;
   guidance.distance_m = (point_m_ - fix.position_m).norm();
   guidance.z_m = task_.z_m;
-  const double off_depth_m = task_.z_m ? std::abs(*task_.z_m - fix.z_m) : 0;
-  if (guidance.distance_m > task_.outer_radius_m || (has_place_ && off_depth_m > kDepthBand_m)) {
-    goes_back_ = true;
-  }
   const bool is_inside = guidance.distance_m < task_.inner_radius_m;
-  if (is_inside && off_depth_m < kAtDepth_m) goes_back_ = false;
-  if (!goes_back_ || !is_inside) {
-    heading_rad_ = goes_back_ ? HeadingOf(point_m_ - fix.position_m) : fix.heading_rad;
+  if (guidance.distance_m > task_.outer_radius_m) is_outside_ = true;
+  if (is_inside) is_outside_ = false;
+  const bool goes_back = is_outside_ || is_off_depth;
+  if (!goes_back || !is_inside) {
+    heading_rad_ = goes_back ? HeadingOf(point_m_ - fix.position_m) : fix.heading_rad;
   }
   guidance.heading_rad = heading_rad_;
-  guidance.speed_mps = goes_back_ ? task_.speed_mps : 0;
+  guidance.speed_mps = goes_back ? task_.speed_mps : 0;
   return guidance;
 }
 
@@ -187,6 +179,7 @@ Guidance ReturnRunner::Update(const Fix& fix) {
   } else {
     guidance = GuidanceAlongLeg(follower_, fix, task_.speed_mps, dt_s);
     guidance.waypoint_index = 0;
+    guidance.z_m = task_.z_m;
   }
   return guidance;
 }

@@ -14,6 +14,7 @@
 #include <variant>
 #include <vector>
 
+#include "lib/vehicle/guidance/depth_band.h"
 #include "lib/vehicle/guidance/leg_follower.h"
 #include "lib/vehicle/guidance/path_follower.h"
 #include "lib/vehicle/guidance/route_rounds.h"
@@ -100,8 +101,8 @@ class LoiterRunner {
   double elapsed_s_ = 0;
 };
 
-/// Drifts until the vessel is outside the outer radius, or too far from its depth, then goes back
-/// inside the inner one. With stops_first it first lets the vessel come to rest.
+/// Drifts until the vessel is outside the outer radius, or has left its depth (depth_band.h), then
+/// goes back inside the inner one. With stops_first it first lets the vessel come to rest.
 class StationKeepRunner {
  public:
   StationKeepRunner(const StationKeepTask& task, const Fix& start);
@@ -109,13 +110,12 @@ class StationKeepRunner {
   void Rejoin(const Fix&) {}
 
  private:
-  void TakePlace(const Fix& fix);
-
   StationKeepTask task_;
   Eigen::Vector2d point_m_;
   double heading_rad_;  ///< Kept while it changes its depth close to the point.
   bool has_place_;
-  bool goes_back_ = false;
+  bool is_outside_ = false;  ///< It has left the outer circle, and is not yet in the inner one.
+  DepthBand depth_band_;
 };
 
 class SurfaceRunner {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "lib/base/geometry/angles.h"
 #include "lib/vehicle/vehicle/propulsion.h"
 #include "lib/vehicle/vehicle/remus100.h"
@@ -54,6 +56,36 @@ TEST(SteepestPitch, GrowsToTheVertical) {
   EXPECT_EQ(SteepestPitch(auv, 0), 0);
   EXPECT_NEAR(RadToDeg(SteepestPitch(auv, 2)), 40, 2);
   EXPECT_EQ(SteepestPitch(auv, 10), kPi / 2);
+}
+
+TEST(LevelTrim, IsThePitchAtWhichALightHullKeepsItsDepth) {
+  for (const double buoyancy_by_weight : {0.99, 1.005, 1.01}) {
+    const Remus100 auv = WithBuoyancy(buoyancy_by_weight);
+    const LevelTrim trim = LevelTrimOf(auv);
+    for (const double speed_mps : {1.0, 1.5, 2.4}) {
+      const double pitch_rad = PitchOf(trim, speed_mps);
+      EXPECT_LT(pitch_rad * (buoyancy_by_weight - 1), 0) << "bow down where it is light";
+      // Held at that pitch, by a strong law, it goes on a level.
+      Remus100State state;
+      state.eta[2] = 50;
+      state.eta[4] = pitch_rad;
+      state.nu[0] = speed_mps;
+      const double rpm = RpmForSpeed(auv, speed_mps);
+      state.actuators.propeller_rpm = rpm;
+      double integral = 0;
+      for (int i = 0; i < 3000; ++i) {
+        const double error_rad = state.eta[4] - pitch_rad;
+        integral += error_rad * kStep_s;
+        const double plane_rad = error_rad + 0.5 * integral + 0.3 * state.nu[4];
+        state = Step(auv, state, {.stern_plane_rad = plane_rad, .propeller_rpm = rpm}, {}, kStep_s);
+      }
+      EXPECT_NEAR(state.velocity_mps.z() / speed_mps, 0, 0.15 * std::abs(pitch_rad)) << speed_mps;
+    }
+  }
+}
+
+TEST(LevelTrim, IsNothingForANeutralHull) {
+  EXPECT_EQ(PitchOf(LevelTrimOf(WithBuoyancy(1)), 1.5), 0);
 }
 
 }  // namespace shoal::trim_test
