@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
+#include "lib/vehicle/vehicle/sway_in_turns.h"
 
 namespace shoal {
 
@@ -18,9 +20,16 @@ InstrumentOptions AssumedOf(const Mission& mission, const Vehicle& vehicle) {
   return InstrumentsOf(vehicle.navigation, mission.acoustics.options.sound_speed_mps);
 }
 
-FilterOptions TuningOf(const NavigationOptions& options) {
+FilterOptions TuningOf(const Vehicle& vehicle) {
   FilterOptions tuning;
-  tuning.gate_probability = options.gate_probability;
+  tuning.gate_probability = vehicle.navigation.gate_probability;
+  if (const auto* remus100 = std::get_if<Remus100Options>(&vehicle.model)) {
+    // What that leaves of the sway, tuned in navigation_coverage_test.cc.
+    tuning.sway_in_turns = SwayInTurnsOf(BuildRemus100(ParamsOf(*remus100)));
+    tuning.sway_mps = 0.02;
+    tuning.sway_share = 0.2;
+    tuning.sway_time_s = 10;
+  }
   return tuning;
 }
 
@@ -83,7 +92,7 @@ NavigationUnit::NavigationUnit(const Mission& mission, const Vehicle& vehicle)
       report_every_s_(vehicle.navigation.report_every_s),
       start_utime_(mission.start_utime),
       instruments_(drawn_, beacons_, key_),
-      navigator_(assumed_, TuningOf(vehicle.navigation), StartKnowledgeOf(vehicle.navigation),
+      navigator_(assumed_, TuningOf(vehicle), StartKnowledgeOf(vehicle.navigation),
                  SurveyedBeacons(mission), key_) {
   takes_packets_ =
       assumed_.ranging && std::any_of(beacons_.begin(), beacons_.end(), [](const Beacon& beacon) {

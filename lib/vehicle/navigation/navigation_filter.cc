@@ -53,6 +53,9 @@ void NavigationFilter::Propagate(double yaw_rate_radps, double dt_s) {
   const Eigen::Matrix2d axes = HullAxes(solution_.heading_rad + turn_rad / 2);
   const Eigen::Vector2d by_heading_m = TurnOfAxes(axes) * solution_.in_water_mps * dt_s;
   const double keep_sway = Exp(-dt_s / options_.sway_time_s);
+  const double rate_radps = yaw_rate_radps - solution_.gyro_bias_radps;
+  const double turn_sway_mps = NextSway(options_.sway_in_turns, sway_in_turn_mps_,
+                                        solution_.in_water_mps.x(), rate_radps, dt_s);
   // The deviation that was known is forgotten as the heading changes.
   const double keep_bias =
       options_.compass_deviation_rad > 0 ? Exp(-std::abs(turn_rad) / kDeviationTurn_rad) : 1;
@@ -69,7 +72,9 @@ void NavigationFilter::Propagate(double yaw_rate_radps, double dt_s) {
 
   solution_.position_m += (axes * solution_.in_water_mps + solution_.current_mps) * dt_s;
   solution_.heading_rad = WrapTwoPi(solution_.heading_rad + turn_rad);
-  solution_.in_water_mps.y() *= keep_sway;
+  solution_.in_water_mps.y() =
+      turn_sway_mps + keep_sway * (solution_.in_water_mps.y() - sway_in_turn_mps_);
+  sway_in_turn_mps_ = turn_sway_mps;
   solution_.compass_bias_rad *= keep_bias;
   solution_.clock_m += solution_.clock_drift_mps * dt_s;
 
@@ -78,7 +83,9 @@ void NavigationFilter::Propagate(double yaw_rate_radps, double dt_s) {
   noise[kStateHeading] = squared(options_.gyro_noise_rad_per_rts) * dt_s;
   noise[kStateGyroBias] = squared(options_.gyro_bias_walk_radps_per_rts) * dt_s;
   noise[kStateForward] = squared(options_.speed_walk_mps_per_rts) * dt_s;
-  noise[kStateStarboard] = squared(options_.sway_mps) * (1 - squared(keep_sway));
+  noise[kStateStarboard] =
+      (squared(options_.sway_mps) + squared(options_.sway_share * turn_sway_mps)) *
+      (1 - squared(keep_sway));
   noise[kStateCurrentX] = noise[kStateCurrentY] = squared(options_.current_walk_mps_per_rts) * dt_s;
   noise[kStateCompassBias] =
       (squared(options_.compass_bias_rad) + squared(options_.compass_deviation_rad)) *
@@ -116,10 +123,11 @@ template <int kSize>
 UpdateResult NavigationFilter::UpdateInsistent(const Eigen::Matrix<double, kSize, 1>& innovation,
                                                const Jacobian<kSize>& jacobian,
                                                const Eigen::Matrix<double, kSize, kSize>& noise,
-                                               int state, int most, int* count) {
+                                               std::initializer_list<int> states, int most,
+                                               int* count) {
   UpdateResult result = Update<kSize>(innovation, jacobian, noise);
   if (!result.is_accepted && ++*count >= most) {
-    covariance_.block<2, 2>(state, state) += innovation.squaredNorm() * Eigen::Matrix2d::Identity();
+    for (const int state : states) covariance_(state, state) += innovation.squaredNorm();
     result = Update<kSize>(innovation, jacobian, noise);
   }
   if (result.is_accepted) *count = 0;
@@ -144,9 +152,10 @@ UpdateResult NavigationFilter::UpdateCompass(double heading_rad) {
   jacobian[kStateCompassBias] = 1;
   const Eigen::Matrix<double, 1, 1> innovation{
       WrapPi(heading_rad - solution_.heading_rad - solution_.compass_bias_rad)};
-  return Update<1>(
+  return UpdateInsistent<1>(
       innovation, jacobian,
-      Eigen::Matrix<double, 1, 1>{options_.compass_noise_rad * options_.compass_noise_rad});
+      Eigen::Matrix<double, 1, 1>{options_.compass_noise_rad * options_.compass_noise_rad},
+      {kStateHeading, kStateCompassBias}, options_.most_rejected_ranges, &rejected_compass_);
 }
 
 UpdateResult NavigationFilter::UpdateDvl(const Eigen::Vector2d& over_ground_mps) {
@@ -161,8 +170,8 @@ UpdateResult NavigationFilter::UpdateDvl(const Eigen::Vector2d& over_ground_mps)
   jacobian.col(kStateDvlScale) = expected_mps;
   return UpdateInsistent<2>(
       over_ground_mps - scale * expected_mps, jacobian,
-      options_.dvl_noise_mps * options_.dvl_noise_mps * Eigen::Matrix2d::Identity(), kStateForward,
-      options_.most_rejected_speeds, &rejected_dvl_);
+      options_.dvl_noise_mps * options_.dvl_noise_mps * Eigen::Matrix2d::Identity(),
+      {kStateForward, kStateStarboard}, options_.most_rejected_speeds, &rejected_dvl_);
 }
 
 UpdateResult NavigationFilter::UpdateLog(double forward_mps) {
@@ -170,7 +179,7 @@ UpdateResult NavigationFilter::UpdateLog(double forward_mps) {
   jacobian[kStateForward] = 1;
   const Eigen::Matrix<double, 1, 1> innovation{forward_mps - solution_.in_water_mps.x()};
   const Eigen::Matrix<double, 1, 1> noise{options_.log_noise_mps * options_.log_noise_mps};
-  return UpdateInsistent<1>(innovation, jacobian, noise, kStateForward,
+  return UpdateInsistent<1>(innovation, jacobian, noise, {kStateForward, kStateStarboard},
                             options_.most_rejected_speeds, &rejected_log_);
 }
 
@@ -180,12 +189,14 @@ UpdateResult NavigationFilter::UpdateGps(const Eigen::Vector2d& position_m) {
   const Eigen::Vector2d innovation_m = position_m - solution_.position_m;
   const Eigen::Matrix2d noise_m2 =
       options_.gps_noise_m * options_.gps_noise_m * Eigen::Matrix2d::Identity();
-  return UpdateInsistent<2>(innovation_m, jacobian, noise_m2, kStateX, options_.most_rejected_fixes,
-                            &rejected_fixes_);
+  return UpdateInsistent<2>(innovation_m, jacobian, noise_m2, {kStateX, kStateY},
+                            options_.most_rejected_fixes, &rejected_fixes_);
 }
 
 UpdateResult NavigationFilter::UpdateRange(const BeaconFix& beacon, double depth_m, double range_m,
                                            double noise_m, bool is_one_way) {
+  if (beacon.number >= rejected_ranges_.size()) rejected_ranges_.resize(beacon.number + 1);
+  int* num_rejected = &rejected_ranges_[beacon.number];
   const Eigen::Vector2d away_m = solution_.position_m - beacon.position_m.head<2>();
   const double expected_m = Hypot(away_m.norm(), depth_m - beacon.position_m.z());
   Jacobian<1> jacobian = Jacobian<1>::Zero();
@@ -197,8 +208,15 @@ UpdateResult NavigationFilter::UpdateRange(const BeaconFix& beacon, double depth
     jacobian[kStateClock] = 1;
     innovation_m -= solution_.clock_m;
   }
-  return Update<1>(Eigen::Matrix<double, 1, 1>{innovation_m}, jacobian,
-                   Eigen::Matrix<double, 1, 1>{noise_m * noise_m + beacon_m * beacon_m});
+  const Eigen::Matrix<double, 1, 1> innovation{innovation_m};
+  const Eigen::Matrix<double, 1, 1> noise{noise_m * noise_m + beacon_m * beacon_m};
+  const int most = options_.most_rejected_ranges;
+  if (!is_one_way) {
+    return UpdateInsistent<1>(innovation, jacobian, noise, {kStateX, kStateY}, most, num_rejected);
+  }
+  // It may as well be the clock that is wrong, by more than its data sheet has it.
+  return UpdateInsistent<1>(innovation, jacobian, noise, {kStateX, kStateY, kStateClock}, most,
+                            num_rejected);
 }
 
 UpdateResult NavigationFilter::UpdateDirection(const BeaconFix& beacon, double depth_m,
@@ -226,7 +244,8 @@ UpdateResult NavigationFilter::UpdateDirection(const BeaconFix& beacon, double d
   const double sigma2_m2 = beacon.sigma_m * beacon.sigma_m;
   noise(0, 0) += sigma2_m2 * bearing_by_way.squaredNorm();
   noise(1, 1) += sigma2_m2 * depression_by_way.squaredNorm();
-  return Update<2>(innovation, jacobian, noise);
+  return UpdateInsistent<2>(innovation, jacobian, noise, {kStateHeading},
+                            options_.most_rejected_ranges, &rejected_directions_);
 }
 
 StateVector NavigationFilter::ErrorsOf(const NavigationSolution& truth) const {

@@ -16,8 +16,12 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <vector>
 
 #include "lib/vehicle/navigation/ranging.h"
+#include "lib/vehicle/vehicle/sway_in_turns.h"
 
 namespace shoal {
 
@@ -52,7 +56,9 @@ struct FilterOptions {
   double log_noise_mps = 0;
   double gps_noise_m = 0;
   double speed_walk_mps_per_rts = 0.2;      ///< How fast the forward speed changes.
-  double sway_mps = 0.05;                   ///< Of the sway, which comes and goes ...
+  SwayInTurns sway_in_turns = {};           ///< Of the vehicle's model.
+  double sway_mps = 0.05;                   ///< Of the sway beside that, which comes and goes ...
+  double sway_share = 0;                    ///< ... and of its share in a turn ...
   double sway_time_s = 5;                   ///< ... within about this time; > 0.
   double current_walk_mps_per_rts = 0.002;  ///< How fast the current changes.
   double gate_probability = 0.999;          ///< Of keeping a good measurement; 0 .. 1, not 1.
@@ -62,6 +68,9 @@ struct FilterOptions {
   /// This many GPS fixes rejected in a row are believed all the same: the filter has lost
   /// its way, and widens its covariance by what they show; > 0.
   int most_rejected_fixes = 5;
+  /// This many ranges of one beacon, directions or compass readings rejected in a row are believed
+  /// all the same; > 0. An echo comes by chance, and an error that stays is the filter's own.
+  int most_rejected_ranges = 4;
 };
 
 /// The nominal state.
@@ -89,6 +98,7 @@ struct UpdateResult {
 struct BeaconFix {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< z down.
   double sigma_m = 0;                                    ///< Of x and y; >= 0.
+  size_t number = 0;                                     ///< Which of the beacons.
 };
 
 class NavigationFilter {
@@ -131,12 +141,12 @@ class NavigationFilter {
                       const Jacobian<kSize>& jacobian,
                       const Eigen::Matrix<double, kSize, kSize>& noise);
   /// Updates with a measurement of which `most` rejected in a row, as `count` counts them, are
-  /// believed: the covariance of the two states from `state` on grows by the innovation squared.
+  /// believed: the variance of the `states`, in what they are, grows by the innovation squared.
   template <int kSize>
   UpdateResult UpdateInsistent(const Eigen::Matrix<double, kSize, 1>& innovation,
                                const Jacobian<kSize>& jacobian,
-                               const Eigen::Matrix<double, kSize, kSize>& noise, int state,
-                               int most, int* count);
+                               const Eigen::Matrix<double, kSize, kSize>& noise,
+                               std::initializer_list<int> states, int most, int* count);
   void Add(const StateVector& error);
 
   FilterOptions options_;
@@ -146,6 +156,10 @@ class NavigationFilter {
   int rejected_fixes_ = 0;  ///< In a row; likewise the others.
   int rejected_dvl_ = 0;
   int rejected_log_ = 0;
+  int rejected_compass_ = 0;
+  int rejected_directions_ = 0;
+  std::vector<int> rejected_ranges_ = {};  ///< By the number of the beacon.
+  double sway_in_turn_mps_ = 0;  ///< By the model of the vehicle; the state is this and the rest.
 };
 
 /// An ellipse that holds the truth with a stated probability.

@@ -227,6 +227,72 @@ TEST(NavigationFilter, TakesNoDirectionToABeaconStraightBelow) {
   EXPECT_FALSE(filter.UpdateDirection({.position_m = {0, 0, 50}}, 0, {}, {0.1, 0.1}).is_accepted);
 }
 
+/// Ranges to three beacons about the vehicle, `bias_m` too long.
+UpdateResult TakeRanges(NavigationFilter* filter, const Eigen::Vector2d& truth_m, double bias_m,
+                        bool is_one_way) {
+  const std::vector<Eigen::Vector2d> places_m = {{-300, 400}, {500, 300}, {0, -600}};
+  UpdateResult last;
+  for (size_t i = 0; i < places_m.size(); ++i) {
+    const BeaconFix beacon = {.position_m = {places_m[i].x(), places_m[i].y(), 0}, .number = i};
+    last = filter->UpdateRange(beacon, 0, (truth_m - places_m[i]).norm() + bias_m, 1, is_one_way);
+  }
+  return last;
+}
+
+TEST(NavigationFilter, BelievesRangesAfterItHasLostItsWay) {
+  StateVector sigmas = Only(kStateX, 1);
+  sigmas[kStateY] = 1;
+  NavigationFilter filter(NoNoise(), {}, sigmas);
+  const Eigen::Vector2d truth_m(40, -30);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(TakeRanges(&filter, truth_m, 0, false).is_accepted);
+    EXPECT_EQ(filter.solution().position_m, Eigen::Vector2d(0, 0)) << "echoes would look like this";
+  }
+  for (int i = 0; i < 8; ++i) TakeRanges(&filter, truth_m, 0, false);
+  EXPECT_LT((filter.solution().position_m - truth_m).norm(), 2);
+}
+
+TEST(NavigationFilter, TakesNoNoticeOfEchoesAmongGoodRanges) {
+  StateVector sigmas = Only(kStateX, 1);
+  sigmas[kStateY] = 1;
+  NavigationFilter filter(NoNoise(), {}, sigmas);
+  for (int i = 0; i < 40; ++i) TakeRanges(&filter, {0, 0}, i % 4 == 0 ? 0 : 50, false);
+  EXPECT_LT(filter.solution().position_m.norm(), 0.1);
+}
+
+TEST(NavigationFilter, FindsThatTheClockIsWorseThanItAssumes) {
+  StateVector sigmas = Only(kStateX, 1);
+  sigmas[kStateY] = 1;
+  NavigationFilter filter(NoNoise(), {}, sigmas);
+  for (int i = 0; i < 8; ++i) TakeRanges(&filter, {0, 0}, 30, true);
+  EXPECT_NEAR(filter.solution().clock_m, 30, 3);
+  EXPECT_LT(filter.solution().position_m.norm(), 3);
+}
+
+TEST(NavigationFilter, GrowsItsEllipseWhereOneBeaconInsists) {
+  StateVector sigmas = Only(kStateX, 1);
+  sigmas[kStateY] = 1;
+  NavigationFilter filter(NoNoise(), {}, sigmas);
+  const auto ellipse_m = [&] {
+    return EllipseOf(filter.covariance().block<2, 2>(0, 0), 0.95).major_m;
+  };
+  const double sure_m = ellipse_m();
+  for (int i = 0; i < 8; ++i) {
+    filter.UpdateRange({.position_m = {-300, 400, 0}}, 0, 530, 1, true);
+  }
+  EXPECT_GT(ellipse_m(), 5 * sure_m) << "it may be the clock, or the place";
+  EXPECT_LT(filter.solution().position_m.norm(), ellipse_m());
+}
+
+TEST(NavigationFilter, BelievesACompassThatInsists) {
+  FilterOptions options = NoNoise();
+  options.compass_noise_rad = 0.01;
+  NavigationFilter filter(options, {.heading_rad = 1}, Only(kStateHeading, 0.01));
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(filter.UpdateCompass(1.3).is_accepted);
+  EXPECT_TRUE(filter.UpdateCompass(1.3).is_accepted);
+  EXPECT_GT(filter.covariance()(kStateHeading, kStateHeading), 0.01);
+}
+
 TEST(NavigationFilter, FindsItsPositionByRangeAndDirectionOfOneBeacon) {
   StateVector sigmas = Only(kStateX, 30);
   sigmas[kStateY] = 30;

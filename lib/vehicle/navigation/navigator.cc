@@ -76,7 +76,7 @@ void Navigator::Take(const Readings& readings, double dt_s) {
   if (readings.position_m) used_.gps = filter_->UpdateGps(*readings.position_m).is_accepted;
   for (const BeaconReading& reading : readings.beacons) {
     const Beacon& beacon = beacons_.at(reading.beacon);
-    const BeaconFix place = {beacon.position_m, beacon.position_sigma_m};
+    const BeaconFix place = {beacon.position_m, beacon.position_sigma_m, reading.beacon};
     RangeUsed used;
     used.beacon = reading.beacon;
     used.range_m = reading.range_m;
