@@ -47,8 +47,7 @@ void PrintHandCommands(const PlayOptions& options, const Mission& mission, const
   for (const std::string& name : options.participants) {
     fmt::print("Start {} with:\n ", name);
     for (const std::string& each : ParticipantEnvironment(name, context)) {
-      // Each time it is moved in the log another mission begins.
-      if (!each.starts_with("SHOAL_MISSION_ID=")) fmt::print(" {}", each);
+      fmt::print(" {}", each);
     }
     fmt::print(" COMMAND\n");
   }
@@ -117,6 +116,7 @@ int RunPlay(const PlayOptions& options) {
                                .file = mission.file.empty() ? fs::absolute(log->path()).string()
                                                             : fs::absolute(mission.file).string(),
                                .folder = WorkingFolder(),
+                               .mission_id = RandomPlaybackId(),
                                .port_base = *base,
                                .layout = layout,
                                .pid = getpid(),
@@ -125,7 +125,7 @@ int RunPlay(const PlayOptions& options) {
                                .groups = GroupsOf(mission)};
   fmt::print("{}: {:.1f} s of {}, LCM ports {} to {} ({})\n", mission.name, length_s, log->path(),
              *base, *base + num_ports - 1, Name(layout));
-  PrintHandCommands(options, mission, running.Ports(), 0);
+  PrintHandCommands(options, mission, running.Ports(), running.mission_id);
   std::fflush(stdout);
   int code = 0;
   {

@@ -28,12 +28,6 @@ constexpr int64_t kLongestPoll_us = 50'000;
 constexpr int64_t kStopPatience_us = 1'000'000;
 constexpr std::string_view kSeek = "seek ";
 
-int64_t AnotherMissionId() {
-  int64_t id = 0;
-  if (getrandom(&id, sizeof id, 0) != sizeof id) id = MonotonicMicroseconds();
-  return std::max<int64_t>(id & std::numeric_limits<int64_t>::max(), 1);
-}
-
 std::vector<ReceiverQueue> QueuesAt(const PortPlan& ports) {
   std::set<int> numbers = {ports.tick_port()};
   for (const int port : ports.DataPorts()) numbers.insert(port);
@@ -42,6 +36,12 @@ std::vector<ReceiverQueue> QueuesAt(const PortPlan& ports) {
 }
 
 }  // namespace
+
+int64_t RandomPlaybackId() {
+  int64_t id = 0;
+  if (getrandom(&id, sizeof id, 0) != sizeof id) id = MonotonicMicroseconds();
+  return std::max<int64_t>(id & std::numeric_limits<int64_t>::max(), 1);
+}
 
 struct Player::Session {
   Session(const PlayOptions& options, PlaybackLog* log, const Mission& mission,
@@ -105,7 +105,8 @@ double Player::At_s(const Session& session) const {
 }
 
 std::unique_ptr<Player::Session> Player::MakeSession(int64_t from_utime) {
-  running_.mission_id = AnotherMissionId();
+  // The first has the one that participants were given.
+  if (std::exchange(has_begun_, true)) running_.mission_id = RandomPlaybackId();
   if (const auto kept = KeepSecret(running_.port_base, secret_); !kept.ok()) {
     Fail(kept.error());
     return nullptr;

@@ -40,9 +40,13 @@ struct PlayOptions {
   std::string answers_path = {};               ///< A log of what they publish; empty: none.
 };
 
+/// Returns the id of another session.
+[[nodiscard]] int64_t RandomPlaybackId();
+
 class Player {
  public:
-  /// `mission`: what the log is of, as far as it is known. `ports` must be claimed.
+  /// `mission`: what the log is of, as far as it is known. `running`: of the first session; its
+  /// ports must be claimed.
   Player(const PlayOptions& options, PlaybackLog* log, const Mission& mission,
          const RunningMission& running, LogWriter* answers, int signal_fd);
 
@@ -78,6 +82,7 @@ class Player {
   double warp_;
   std::optional<int64_t> seek_utime_;
   bool is_paused_;
+  bool has_begun_ = false;
   bool is_over_ = false;  ///< By a signal or a key.
   int exit_code_ = 0;
   int64_t next_progress_us_ = 0;

@@ -35,6 +35,17 @@ TEST(ParseOrder, KnowsRulesAndTheClock) {
             3);
 }
 
+TEST(ParseOrder, TakesOrdersToTheClockAloneForAPlayback) {
+  OrderScope scope = kScope;
+  scope.is_playback = true;
+  EXPECT_TRUE(ParseOrder(scope, "clock", Words{"seek", "12"}).ok());
+  for (const char* target : {"alpha", "all", "stealth"}) {
+    const Result<Order> order = ParseOrder(scope, target, Words{"return"});
+    ASSERT_FALSE(order.ok()) << target;
+    EXPECT_NE(order.error().find("takes no orders"), std::string::npos) << order.error();
+  }
+}
+
 TEST(ParseOrder, PrefersAVehicleOfThatName) {
   const OrderScope scope = {.mission = "m", .vehicles = {"clock", "comms_range"}};
   EXPECT_TRUE(std::holds_alternative<OrderToHelms>(*ParseOrder(scope, "clock", Words{"return"})));

@@ -105,6 +105,10 @@ TEST(ClockWords, StandForAPauseOrAWarp) {
   EXPECT_EQ(ParseClockWords(Words{"resume"})->command, "resume");
   EXPECT_EQ(ParseClockWords(Words{"warp", "2.5"})->warp, 2.5);
   EXPECT_EQ(ParseClockWords(Words{"warp", "max"})->warp, 0);
+  EXPECT_EQ(ParseClockWords(Words{"seek", "12.5"})->command, "seek 12.5");
+  for (const char* time : {"-1", "nan", "soon", ""}) {
+    EXPECT_FALSE(ParseClockWords(Words{"seek", time}).ok()) << time;
+  }
 }
 
 TEST(ClockWords, ThatAreWrongAreAnsweredWithTheRemedy) {

@@ -204,6 +204,19 @@ int Chosen(const std::vector<RunningMission>& missions, int port_base, Purpose p
   return 0;
 }
 
+TEST_F(RunFolderTest, APlaybackIsMarkedInItsEntry) {
+  RunningMission playback = MissionAt(7665, getpid());
+  playback.playback_of = "/tmp/with blanks.lcm";
+  ASSERT_TRUE(Register(playback).ok());
+  ASSERT_TRUE(Register(MissionAt(7805, getpid())).ok());
+  const auto missions = RunningMissions();
+  ASSERT_TRUE(missions.ok());
+  ASSERT_EQ(missions->size(), 2U);
+  EXPECT_EQ(missions->at(0).playback_of, "/tmp/with blanks.lcm");
+  EXPECT_NE(Describe(missions->at(0)).find("PLAYBACK of /tmp/with blanks.lcm"), std::string::npos);
+  EXPECT_EQ(missions->at(1).playback_of, "");
+}
+
 TEST(ChooseMission, PrefersTheOneThatWasStartedInTheFolder) {
   std::vector<RunningMission> missions = {MissionAt(7665, 1), MissionAt(7805, 1),
                                           MissionAt(7945, 1)};

@@ -93,6 +93,7 @@ TEST(StepPace, MeasuresItsFactorSoonerAfterAChange) {
 TEST(StepPace, RefusesWhatItCannotDo) {
   StepPace fixed(1, kPaceTick_us, "it keeps to the wall's clock");
   EXPECT_EQ(fixed.Execute(Order("warp", 2), 0), "it keeps to the wall's clock");
+  EXPECT_NE(fixed.Execute(Order("seek 5"), 0).find("shoal play"), std::string::npos);
   EXPECT_EQ(fixed.Execute(Order("jump"), 0), "unknown command 'jump': pause, resume or warp");
   StepPace pace(1, kPaceTick_us, "");
   EXPECT_EQ(pace.Execute(Order("warp", 1e-7), 0), "1e-07 is not 0 (max), nor 1e-6 to 1e6");
