@@ -68,6 +68,7 @@ class Page {
         this.top.showConnection(...connection, this.frame?.clock);
       },
       onPlay: () => this.keeper.changed(),
+      onIndexing: (share) => this.top.showIndexing(share),
     };
     this.source = this.isRecorded ? new RecordedSource(setup, this.requests, listener)
       : new LiveSource(setup, this.requests, listener, openStream);

@@ -189,6 +189,23 @@ export class RecordedSource {
 
   start() {
     this.pump();
+    if (Number.isFinite(this.setup.indexing)) this.awaiting = setInterval(() => this.askForAll(), 500);
+  }
+
+  /** Of a long log whose begin is shown: asks whether all of it has been read. */
+  async askForAll() {
+    try {
+      const setup = tidySetup(await this.requests.get('/api/setup', {}, kSetupTimeout_ms));
+      if (this.stopped) return;
+      if (setup.boot !== this.setup.boot) {
+        clearInterval(this.awaiting);
+        this.listener.onSetup(setup);
+      } else {
+        this.listener.onIndexing(setup.indexing);
+      }
+    } catch {
+      // pump() sees that the viewer is not there.
+    }
   }
 
   stop() {

@@ -80,6 +80,7 @@ export class TopBar {
   }
 
   setup(setup) {
+    this.showIndexing(setup.indexing);
     setText(this.mission, clip(setup.mission || 'shoal', 60));
     const file = setup.file ? `${setup.file}, seed ${setup.seed}` : '';
     setAttribute(this.mission, 'title', clip(`${file} shoal ${setup.version ?? ''}`.trim()));
@@ -105,6 +106,13 @@ export class TopBar {
   }
 
   /** @param recorded  its playing and speed, or null */
+  /** How much of a long log has been read, 0 to 1; its begin is shown meanwhile. */
+  showIndexing(share) {
+    const bar = find('indexing');
+    bar.hidden = !Number.isFinite(share);
+    if (!bar.hidden) bar.value = share;
+  }
+
   frame(t, clock, recorded) {
     const of = this.length_s > 0 ? ` / ${missionTime(this.length_s, 0)}` : '';
     setText(this.clock, missionTime(t) + of);

@@ -11,13 +11,14 @@
 
 #include "apps/viewer/access.h"
 #include "apps/viewer/event_hub.h"
+#include "apps/viewer/growing_log.h"
 #include "apps/viewer/listening_socket.h"
 #include "apps/viewer/mission_follower.h"
 #include "apps/viewer/page_files.h"
 #include "apps/viewer/view_site.h"
 #include "apps/viewer/web_server.h"
 #include "lib/base/check/result.h"
-#include "lib/tools/view/recorded_view.h"
+#include "lib/run/run/run_app.h"
 
 namespace shoal {
 
@@ -95,11 +96,10 @@ int Serve(const ViewerOptions& options, ViewSiteParts parts, EventHub& hub,
 }
 
 int ServeLog(const ViewerOptions& options, ViewSiteParts parts) {
-  Result<std::unique_ptr<RecordedView>> view =
-      RecordedView::Open(options.log, {.mission_file = options.mission_file, .boot = NewToken()});
-  if (!view.ok()) return Fail(kExitUsage, view.error());
-  std::shared_ptr<ViewSource> source = std::move(*view);
-  parts.source = [source = std::move(source)] { return source; };
+  Result<std::unique_ptr<GrowingLog>> log =
+      GrowingLog::Open(options.log, options.mission_file, MonotonicMicroseconds);
+  if (!log.ok()) return Fail(kExitUsage, log.error());
+  parts.source = [&shown = **log] { return shown.source(); };
   EventHub hub;
   return Serve(options, std::move(parts), hub, nullptr);
 }

@@ -243,9 +243,18 @@ const Keyframe& LogIndex::KeyframeBefore(int64_t line_us) const {
   return *(later - 1);
 }
 
-LogIndex BuildLogIndex(LogReader* reader, Scene* scene, const Mission& mission, LogStamps stamps) {
+LogIndex BuildLogIndex(LogReader* reader, Scene* scene, const Mission& mission, LogStamps stamps,
+                       const IndexProgress& progress) {
+  constexpr int64_t kEventsBetweenLooks = 4096;
   IndexBuilder builder(scene, mission, stamps, reader->size());
-  while (const auto event = reader->Next()) builder.Take(*event);
+  for (int64_t num_events = 1;; ++num_events) {
+    const auto event = reader->Next();
+    if (!event) break;
+    builder.Take(*event);
+    if (!progress || num_events % kEventsBetweenLooks != 0) continue;
+    const auto size = static_cast<double>(std::max<uint64_t>(reader->size(), 1));
+    if (!progress(static_cast<double>(event->offset) / size)) break;
+  }
   return builder.Finish();
 }
 

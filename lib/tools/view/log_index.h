@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -66,9 +67,13 @@ struct LogIndex {
   bool has_nav = false;
 };
 
+/// Called now and then with the share of the log that has been read; where it returns false the
+/// reading ends there.
+using IndexProgress = std::function<bool(double share)>;
+
 /// Reads the whole of `reader`, from the start on. `scene` has seen nothing yet; then it shows the
 /// end of the log, but for pulses.
 [[nodiscard]] LogIndex BuildLogIndex(LogReader* reader, Scene* scene, const Mission& mission,
-                                     LogStamps stamps);
+                                     LogStamps stamps, const IndexProgress& progress = {});
 
 }  // namespace shoal

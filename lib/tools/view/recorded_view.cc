@@ -40,7 +40,8 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
                                                       std::move(log->mission), log->knows_mission));
   view->notes_ = std::move(log->notes);
   Scene scene = view->blank_;
-  view->index_ = BuildLogIndex(&view->reader_, &scene, view->mission_, log->survey.stamps);
+  view->index_ =
+      BuildLogIndex(&view->reader_, &scene, view->mission_, log->survey.stamps, options.progress);
   NoteTroubles(view->reader_, log->survey, view->index_, &view->notes_);
   const std::string floor = FloorJson(view->mission_, &view->notes_);
   Mission shown = view->mission_;

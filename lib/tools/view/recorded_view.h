@@ -31,6 +31,7 @@ struct RecordedViewOptions {
   std::string mission_file = {};            ///< Empty: the one beside the log, if any.
   std::vector<std::string> overrides = {};  ///< Of `mission_file`.
   std::string boot = {};                    ///< Names this start of the viewer.
+  IndexProgress progress = {};              ///< Of the reading; it may end it.
 };
 
 class RecordedView : public ViewSource {

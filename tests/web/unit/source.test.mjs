@@ -160,6 +160,23 @@ function recorded() {
   return {source, held};
 }
 
+test('of a long log it asks whether all of it has been read, and begins anew then', async () => {
+  const taken = [];
+  const answers = [{...kSetup, indexing: 0.5}, new Error('busy'), {...kSetup, boot: 'two'}];
+  const source = new RecordedSource({...kSetup, indexing: 0.1}, {
+    get: async (path) => {
+      assert.equal(path, '/api/setup');
+      const answer = answers.shift();
+      if (answer instanceof Error) throw answer;
+      return answer;
+    },
+  }, {onIndexing: (share) => taken.push(share), onSetup: ({boot}) => taken.push(boot)});
+  await source.askForAll();
+  await source.askForAll();
+  await source.askForAll();
+  assert.deepEqual(taken, [0.5, 'two']);
+});
+
 test('scrubbing has one request in flight, and the newest wish wins', async () => {
   const {source, held} = recorded();
   source.start();

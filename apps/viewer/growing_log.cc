@@ -1,0 +1,100 @@
+#include "apps/viewer/growing_log.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <utility>
+
+#include "apps/viewer/access.h"
+
+namespace shoal {
+
+namespace {
+
+/// The begin of a log, with how much of it all has been read meanwhile.
+class PartView : public ViewSource {
+ public:
+  PartView(std::unique_ptr<ViewSource> part, std::shared_ptr<std::atomic<double>> share)
+      : part_(std::move(part)), share_(std::move(share)) {}
+
+  std::string SetupJson(bool commands) override {
+    std::string json = part_->SetupJson(commands);
+    json.insert(1, fmt::format("\"indexing\":{:.3f},", share_->load()));
+    return json;
+  }
+  std::string FrameJson(double t_s) override { return part_->FrameJson(t_s); }
+  std::string TrailsJson() override { return part_->TrailsJson(); }
+  std::string LinksJson(double t_s) override { return part_->LinksJson(t_s); }
+  Result<std::string> MediumLinksJson(std::string_view medium, double t_s) override {
+    return part_->MediumLinksJson(medium, t_s);
+  }
+  std::string FatesJson(const FateQuery& query, double t_s) override {
+    return part_->FatesJson(query, t_s);
+  }
+  std::string EventsJson() override { return part_->EventsJson(); }
+  Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override {
+    return part_->LinkJson(from, to, t_s);
+  }
+  Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) override {
+    return part_->VehicleJson(name, t_s, window_s);
+  }
+
+ private:
+  const std::unique_ptr<ViewSource> part_;
+  const std::shared_ptr<std::atomic<double>> share_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<GrowingLog>> GrowingLog::Open(const std::string& path,
+                                                     const std::string& mission_file,
+                                                     std::function<int64_t()> now_us) {
+  const int64_t begin_us = now_us();
+  bool is_whole = true;
+  Result<std::unique_ptr<RecordedView>> first = RecordedView::Open(
+      path, {.mission_file = mission_file, .boot = NewToken(), .progress = [&](double) {
+               is_whole = now_us() - begin_us < kFirst_us;
+               return is_whole;
+             }});
+  if (!first.ok()) return Error{first.error()};
+  std::unique_ptr<GrowingLog> log(new GrowingLog);
+  if (is_whole) {
+    log->source_ = std::move(*first);
+    return log;
+  }
+  log->source_ = std::make_shared<PartView>(std::move(*first), log->share_);
+  log->reading_ =
+      std::thread([raw = log.get(), path, mission_file] { raw->ReadAll(path, mission_file); });
+  return log;
+}
+
+void GrowingLog::ReadAll(const std::string& path, const std::string& mission_file) {
+  Result<std::unique_ptr<RecordedView>> whole = RecordedView::Open(
+      path, {.mission_file = mission_file, .boot = NewToken(), .progress = [this](double share) {
+               *share_ = share;
+               return !stopped_;
+             }});
+  if (stopped_) return;
+  if (!whole.ok()) {
+    fmt::print(stderr, "shoal-viewer: {}\n", whole.error());
+    return;
+  }
+  const std::lock_guard lock(mutex_);
+  source_ = std::move(*whole);
+}
+
+std::shared_ptr<ViewSource> GrowingLog::source() const {
+  const std::lock_guard lock(mutex_);
+  return source_;
+}
+
+void GrowingLog::AwaitAll() {
+  if (reading_.joinable()) reading_.join();
+}
+
+GrowingLog::~GrowingLog() {
+  stopped_ = true;
+  AwaitAll();
+}
+
+}  // namespace shoal
