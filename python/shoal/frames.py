@@ -15,6 +15,8 @@ import struct
 from typing import Any, NamedTuple
 
 _FRAME = 0xFD2FB528
+#: A skippable frame with which the files that shoal writes begin.
+_OWN_MARK = b"\x50\x2a\x4d\x18\x08\0\0\0shoallog"
 _SKIPPABLE = 0x184D2A50  #: The last four bits are free.
 _LIST = 0x184D2A5E  #: The skippable frame with the list of frames.
 _LIST_END = 0x8F92EAB1
@@ -195,12 +197,14 @@ class FrameReader:
     def _take_heads(self) -> None:
         """Takes the frames from their heads, as of a file whose writer was killed."""
         place = 0
+        is_own = os.pread(self._file, len(_OWN_MARK), 0) == _OWN_MARK
         while place < self._file_size:
             if len(self._frames) == _MOST_FRAMES:
                 raise FrameError(f"more than {_MOST_FRAMES} frames; `zstd -d` makes a log of it")
             head = os.pread(self._file, 18, place)
             magic = int.from_bytes(head[:4], "little")
             if len(head) >= 8 and magic & ~0xF == _SKIPPABLE:
+                is_own = is_own and magic != _LIST
                 place += 8 + int.from_bytes(head[4:8], "little")
                 continue
             if len(head) >= 4 and magic != _FRAME:
@@ -223,6 +227,11 @@ class FrameReader:
                 )
                 return
             place = end
+        if is_own:
+            self.lost = (
+                "the list of frames that ends the compressed file is missing: what wrote it was "
+                "ended before it closed the log"
+            )
 
     def _measure(self, place: int, head: bytes) -> tuple[int | None, int | None]:
         """Returns where a frame ends and the size of its content; None where the file lacks it."""

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "lib/base/check/check.h"
+#include "lib/bus/record/own_mark.h"
 
 namespace shoal {
 
@@ -85,6 +86,14 @@ std::optional<uint64_t> EndOfBlocks(int fd, uint64_t offset, uint64_t file_size,
   return offset > file_size ? std::nullopt : std::optional(offset);
 }
 
+/// Returns true for a file that begins as FrameWriter's do.
+bool IsOwnMark(int fd) {
+  std::array<uint8_t, 8 + kOwnMark.size()> bytes{};
+  return ReadAt(fd, 0, bytes) && LittleEndian(std::span(bytes).first(4)) == kOwnMarkMagic &&
+         LittleEndian(std::span(bytes).subspan(4, 4)) == kOwnMark.size() &&
+         std::ranges::equal(std::span(bytes).subspan(8), kOwnMark);
+}
+
 }  // namespace
 
 bool FrameTable::IsCompressed(std::span<const uint8_t> first_bytes) {
@@ -141,6 +150,7 @@ std::string FrameTable::TakeHeads(int fd, uint64_t file_size) {
     return fmt::format("the compressed file ends inside the frame that begins at its byte {}",
                        offset);
   };
+  bool is_own = false;
   for (uint64_t offset = 0; offset < file_size;) {
     if (frames_.size() == kMaxFrames) {
       return fmt::format("has more than {} frames; `zstd -d` makes a log of it", kMaxFrames);
@@ -150,6 +160,8 @@ std::string FrameTable::TakeHeads(int fd, uint64_t file_size) {
     if (!ReadAt(fd, offset, std::span(bytes).first(length))) return "cannot be read";
     const uint64_t magic = LittleEndian(std::span(bytes).first(4));
     if (length >= 4 && (magic & ~uint64_t{0xF}) == kSkippableMagic) {
+      // A list, damaged or cut, comes when all frames are there.
+      is_own = magic != kListMagic && (is_own || (offset == 0 && IsOwnMark(fd)));
       offset += 8 + LittleEndian(std::span(bytes).subspan(4));
       continue;
     }
@@ -182,6 +194,11 @@ std::string FrameTable::TakeHeads(int fd, uint64_t file_size) {
       return {};
     }
     offset = *end;
+  }
+  if (is_own) {
+    lost_ =
+        "the list of frames that ends the compressed file is missing: what wrote it was ended "
+        "before it closed the log";
   }
   return {};
 }

@@ -189,6 +189,30 @@ TEST_F(CompressedLog, CutBetweenTwoEventsNamesTheLastOne) {
   EXPECT_EQ(read.error, expected);
 }
 
+TEST_F(CompressedLog, CutBehindAFrameIsNotTakenForAWholeOne) {
+  Write("a.lcm.zst", Events());
+  const std::string whole = Bytes("a.lcm.zst");
+  const FrameTable table = [&] {
+    const FileDescriptor file(::open(Path("a.lcm.zst").c_str(), O_RDONLY | O_CLOEXEC));
+    return *FrameTable::Read(file.get(), whole.size());
+  }();
+  ASSERT_GT(table.frames().size(), 2U);
+  for (const size_t num_frames : {size_t{0}, size_t{1}, table.frames().size() - 1}) {
+    SetBytes("b.lcm.zst", whole.substr(0, table.frames()[num_frames].file_begin));
+    const Read read = ReadAll("b.lcm.zst");
+    EXPECT_NE(read.error.find("ended before it closed the log: "), std::string::npos)
+        << num_frames << " " << read.error;
+    EXPECT_NE(read.error.find(num_frames == 0 ? "its events are lost" : "what came after event"),
+              std::string::npos)
+        << read.error;
+  }
+  // All frames, and a part of the list: nothing is lost.
+  SetBytes("b.lcm.zst", whole.substr(0, whole.size() - 5));
+  const Read read = ReadAll("b.lcm.zst");
+  EXPECT_EQ(read.error, "");
+  EXPECT_TRUE(read.events == Events());
+}
+
 TEST_F(CompressedLog, DamagedInOneFrameGivesTheOthers) {
   const std::vector<Event> events = Events();
   Write("a.lcm.zst", events);

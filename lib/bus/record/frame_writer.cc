@@ -8,6 +8,7 @@
 
 #include "lib/base/check/check.h"
 #include "lib/bus/os/file_bytes.h"
+#include "lib/bus/record/own_mark.h"
 
 namespace shoal {
 
@@ -21,6 +22,12 @@ void PutLittleEndian(uint32_t value, std::vector<uint8_t>* bytes) {
   for (int shift = 0; shift < 32; shift += 8) {
     bytes->push_back(static_cast<uint8_t>(value >> shift));
   }
+}
+
+void PutOwnMark(std::vector<uint8_t>* bytes) {
+  PutLittleEndian(kOwnMarkMagic, bytes);
+  PutLittleEndian(static_cast<uint32_t>(kOwnMark.size()), bytes);
+  bytes->insert(bytes->end(), kOwnMark.begin(), kOwnMark.end());
 }
 
 bool WriteBytes(int fd, const std::vector<uint8_t>& bytes) {
@@ -64,7 +71,10 @@ void FrameWriter::Work() {
   SHOAL_CHECK(context != nullptr, "zstd has memory for a context");
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
+  PutOwnMark(&compressed_);
+  const int mark_error_number = Write(0) ? 0 : errno;
   std::unique_lock lock(mutex_);
+  error_number_ = mark_error_number;
   while (true) {
     changed_.wait(lock, [&] { return !waiting_.empty() || is_over_; });
     if (waiting_.empty()) return;

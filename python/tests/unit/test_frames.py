@@ -58,6 +58,16 @@ def test_a_cut_one_is_read_up_to_the_cut_and_states_what_is_lost(tmp_path: Path)
 
 
 @needs_zstd
+def test_one_whose_writer_was_killed_behind_a_frame_states_it(tmp_path: Path) -> None:
+    whole = _write(tmp_path / "a.zst", _events(900), 300)
+    path = tmp_path / "b.zst"
+    path.write_bytes(frames._OWN_MARK + whole)
+    with pytest.warns(shoal.LogWarning, match="ended before it closed the log"):
+        log = shoal.read(path)
+    assert len(list(log)) == 900
+
+
+@needs_zstd
 def test_a_damaged_frame_is_left_out_where_that_is_asked(tmp_path: Path) -> None:
     whole = bytearray(_write(tmp_path / "a.zst", _events(900), 300))
     whole[len(whole) // 2] ^= 1
