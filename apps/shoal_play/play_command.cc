@@ -111,17 +111,18 @@ int RunPlay(const PlayOptions& options) {
     if (!made.ok()) return Refuse(kExitEnvironment, made.error());
     answers.emplace(std::move(*made));
   }
-  std::error_code error;
+  const std::string played = fs::absolute(log->path()).lexically_normal().string();
   const RunningMission running{.name = mission.name,
-                               .file = mission.file.empty() ? fs::absolute(log->path()).string()
-                                                            : fs::absolute(mission.file).string(),
+                               .file = mission.file.empty()
+                                           ? played
+                                           : fs::absolute(mission.file).lexically_normal().string(),
                                .folder = WorkingFolder(),
                                .mission_id = RandomPlaybackId(),
                                .port_base = *base,
                                .layout = layout,
                                .pid = getpid(),
                                .vehicles = vehicles,
-                               .playback_of = fs::absolute(log->path()).lexically_normal().string(),
+                               .playback_of = played,
                                .groups = GroupsOf(mission)};
   fmt::print("{}: {:.1f} s of {}, LCM ports {} to {} ({})\n", mission.name, length_s, log->path(),
              *base, *base + num_ports - 1, Name(layout));

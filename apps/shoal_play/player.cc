@@ -260,7 +260,7 @@ void Player::End(Session* session) {
   counts_.left_out += counts.left_out;
   counts_.not_chosen += counts.not_chosen;
   counts_.answers += counts.answers;
-  num_dropped_ += session->transport.num_dropped();
+  num_given_up_ += session->transport.num_given_up();
   num_repeated_ += session->clock.counters().repeated;
 }
 
@@ -289,11 +289,11 @@ int Player::Run() {
   if (num_repeated_ > 0) {
     LaunchTerminal::Print(fmt::format("Sent again to participants: {} datagrams\n", num_repeated_));
   }
-  if (num_dropped_ > 0) {
+  if (num_given_up_ > 0) {
     terminal_.Warn(
-        fmt::format("shoal: receivers on this machine have lost {} datagrams: they read "
-                    "too slowly, or stood still; play slower (--speed)",
-                    num_dropped_));
+        fmt::format("shoal: {} receivers on this machine read nothing for a second, and "
+                    "were not waited for: they have lost messages",
+                    num_given_up_));
   }
   if (log_.num_damages() > 0) {
     Fail(fmt::format("{} damaged parts of {} were skipped; `shoal log info` shows them",

@@ -87,7 +87,7 @@ class Player {
   int exit_code_ = 0;
   int64_t next_progress_us_ = 0;
   PlaybackCounts counts_;  ///< Of the sessions before.
-  int64_t num_dropped_ = 0;
+  int64_t num_given_up_ = 0;
   int64_t num_repeated_ = 0;
 };
 

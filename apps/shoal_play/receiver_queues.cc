@@ -21,13 +21,12 @@ std::vector<ReceiverQueue> ParseQueues(std::istream& table, const std::set<int>&
   constexpr size_t kLocalAddress = 1;
   constexpr size_t kQueues = 4;
   constexpr size_t kInode = 9;
-  constexpr size_t kDrops = 12;
   constexpr int kHexadecimal = 16;
   std::vector<ReceiverQueue> queues;
   for (std::string line; std::getline(table, line);) {
     std::istringstream in(line);
     const std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
-    if (words.size() <= kDrops) continue;
+    if (words.size() <= kInode) continue;
     const std::string& address = words[kLocalAddress];
     const std::string& waiting = words[kQueues];
     const size_t port_at = address.find(':') + 1;
@@ -37,8 +36,7 @@ std::vector<ReceiverQueue> ParseQueues(std::istream& table, const std::set<int>&
     if (!ports.contains(port) || own.contains(words[kInode])) continue;
     queues.push_back(
         {.inode = words[kInode],
-         .waiting_bytes = std::strtoll(waiting.c_str() + receive_at, nullptr, kHexadecimal),
-         .num_dropped = std::strtoll(words[kDrops].c_str(), nullptr, 10)});
+         .waiting_bytes = std::strtoll(waiting.c_str() + receive_at, nullptr, kHexadecimal)});
   }
   return queues;
 }
@@ -56,9 +54,7 @@ std::set<std::string, std::less<>> OwnSocketInodes() {
 }
 
 PacedTransport::PacedTransport(Transport* inner, Look look, Pause pause)
-    : inner_(*inner), look_(std::move(look)), pause_(std::move(pause)) {
-  for (const ReceiverQueue& queue : look_()) dropped_before_[queue.inode] = queue.num_dropped;
-}
+    : inner_(*inner), look_(std::move(look)), pause_(std::move(pause)) {}
 
 void PacedTransport::Send(int port, std::string_view channel, std::span<const uint8_t> datagram) {
   ++num_sent_;
@@ -74,8 +70,6 @@ void PacedTransport::WaitForReceivers() {
   for (int64_t waited_us = 0;; waited_us += kPause_us) {
     bool is_behind = false;
     for (const ReceiverQueue& queue : look_()) {
-      const auto before = dropped_before_.emplace(queue.inode, queue.num_dropped).first;
-      dropped_[queue.inode] = queue.num_dropped - before->second;
       const auto given_up = given_up_.find(queue.inode);
       if (given_up != given_up_.end()) {
         if (queue.waiting_bytes >= given_up->second) continue;
@@ -91,20 +85,15 @@ void PacedTransport::WaitForReceivers() {
     }
     if (!is_behind) return;
     if (waited_us >= kPatience_us) {
-      for (const auto& [inode, waiting_bytes] : least) given_up_[inode] = waiting_bytes;
+      for (const auto& [inode, waiting_bytes] : least) {
+        given_up_[inode] = waiting_bytes;
+        ever_given_up_.insert(inode);
+      }
       return;
     }
     pause_(kPause_us);
     waited_us_ += kPause_us;
   }
-}
-
-int64_t PacedTransport::num_dropped() {
-  dropped_.clear();  // Not those of programs that have left: they may have had no wish to read.
-  WaitForReceivers();
-  int64_t total = 0;
-  for (const auto& [inode, count] : dropped_) total += count;
-  return total;
 }
 
 }  // namespace shoal

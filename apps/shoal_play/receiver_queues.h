@@ -21,7 +21,6 @@ namespace shoal {
 struct ReceiverQueue {
   std::string inode;
   int64_t waiting_bytes = 0;  ///< As the kernel counts them: a small datagram has some 800.
-  int64_t num_dropped = 0;    ///< Datagrams that found it full, since it was opened.
 };
 
 /// Reads the table of /proc/net/udp: the sockets bound to one of `ports`, without those in `own`.
@@ -55,8 +54,8 @@ class PacedTransport : public Transport {
   void ListenToAll(int port) override { inner_.ListenToAll(port); }
   int64_t num_refused() const override { return inner_.num_refused(); }
 
-  /// Datagrams that the receivers that are there have lost all the same, since this was made.
-  int64_t num_dropped();
+  /// Receivers that it did not wait for any longer, each counted once.
+  int64_t num_given_up() const { return static_cast<int64_t>(ever_given_up_.size()); }
   /// Microseconds spent waiting.
   int64_t waited_us() const { return waited_us_; }
 
@@ -71,8 +70,7 @@ class PacedTransport : public Transport {
   int64_t waited_us_ = 0;
   /// Receivers that read nothing for too long, with what they had unread then.
   std::map<std::string, int64_t, std::less<>> given_up_;
-  std::map<std::string, int64_t, std::less<>> dropped_before_;
-  std::map<std::string, int64_t, std::less<>> dropped_;
+  std::set<std::string, std::less<>> ever_given_up_;
 };
 
 }  // namespace shoal

@@ -20,7 +20,7 @@ TEST(ReceiverQueues, AreThoseOfOthersAtThePorts) {
   ASSERT_EQ(queues.size(), 2U);
   EXPECT_EQ(queues[0].inode, "11");
   EXPECT_EQ(queues[0].waiting_bytes, 0xa00);
-  EXPECT_EQ(queues[1].num_dropped, 5);
+  EXPECT_EQ(queues[1].inode, "12");
 }
 
 /// Counts datagrams.
@@ -82,18 +82,11 @@ TEST_F(PacedTransportTest, DoesNotWaitForOneThatReadsNothingUntilItReadsAgain) {
   EXPECT_EQ(paused_us, PacedTransport::kPatience_us);
   Send(&transport, 1000);
   EXPECT_EQ(paused_us, PacedTransport::kPatience_us);
+  EXPECT_EQ(transport.num_given_up(), 1);
   queues_[0].waiting_bytes = 100'000;
   Send(&transport, 32);
   EXPECT_EQ(paused_us, 2 * PacedTransport::kPatience_us);
-}
-
-TEST_F(PacedTransportTest, CountsWhatReceiversHaveLostSinceItBegan) {
-  queues_[0].num_dropped = 7;
-  PacedTransport transport(
-      &inner_, [this] { return queues_; }, [](int64_t) {});
-  EXPECT_EQ(transport.num_dropped(), 0);
-  queues_[0].num_dropped = 9;
-  EXPECT_EQ(transport.num_dropped(), 2);
+  EXPECT_EQ(transport.num_given_up(), 1) << "the same again";
 }
 
 }  // namespace shoal::receiver_queues_test

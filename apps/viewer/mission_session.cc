@@ -31,7 +31,12 @@ constexpr int64_t kCommunitiesInterval_us = 50'000;
 
 /// Loads the mission as it runs; or makes one of what the registry holds of it.
 Mission MissionOf(const RunningMission& running, std::vector<std::string>* notes) {
-  LoadedMission loaded = LoadMission(running.file, running.overrides);
+  LoadedMission loaded;
+  if (running.file == running.playback_of) {
+    loaded.errors.emplace_back("there is no mission.toml beside the recording");
+  } else {
+    loaded = LoadMission(running.file, running.overrides);
+  }
   if (loaded.errors.empty()) {
     if (!running.playback_of.empty()) loaded.mission.name = running.name;
     return std::move(loaded.mission);
