@@ -15,6 +15,7 @@
 #include "lib/bus/record/log_testing.h"
 #include "lib/tools/mcap/log_mcap.h"
 #include "lib/tools/sqlite/log_sqlite.h"
+#include "shoal/comms_fate_columns_t.hpp"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
@@ -45,6 +46,22 @@ Bytes FatesOf(int count) {
   return Encoded(fates);
 }
 
+/// The same as columns.
+Bytes FateColumns(int16_t count) {
+  comms_fate_columns_t columns{};
+  columns.num_senders = columns.num_cases = columns.num_names = 1;
+  columns.senders = {{"report", "alpha", 7, count}};
+  columns.cases.resize(1);
+  columns.cases[0].cause = "out_of_range";
+  columns.cases[0].has_range = 1;
+  columns.names = {"bravo"};
+  columns.num_fates = columns.num_ranges = count;
+  columns.destination.resize(static_cast<size_t>(count));
+  columns.which_case.resize(static_cast<size_t>(count));
+  columns.range_m.resize(static_cast<size_t>(count));
+  return Encoded(columns);
+}
+
 Bytes SwarmOf(const std::string& vehicle) {
   swarm_t swarm{};
   swarm.vehicle = vehicle;
@@ -66,7 +83,7 @@ void WriteWhole(const std::string& path) {
     report.name = "alpha";
     events.push_back({utime, "NAV_ALPHA", Encoded(nav)});
     events.push_back({utime, "NODE_REPORT_LOCAL", Encoded(report)});
-    events.push_back({utime, "COMMS_FATES", FatesOf(2)});
+    events.push_back({utime, "COMMS_FATES", utime == 0 ? FatesOf(2) : FateColumns(2)});
     events.push_back({utime, "SWARM_ALPHA", SwarmOf("alpha")});
   }
   WriteLog(path, events);
