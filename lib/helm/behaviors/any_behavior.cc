@@ -37,6 +37,11 @@ struct ClassOfOptions {
   static ZigzagBehavior Of(const ZigzagOptions&);
   static FullStopBehavior Of(const FullStopOptions&);
   static TestFailureBehavior Of(const TestFailureOptions&);
+  static MaintainHeadingBehavior Of(const MaintainHeadingOptions&);
+  static HeadingBiasBehavior Of(const HeadingBiasOptions&);
+  static HysteresisBehavior Of(const HysteresisOptions&);
+  static MinAltitudeBehavior Of(const MinAltitudeOptions&);
+  static RubberBandBehavior Of(const RubberBandOptions&);
 };
 
 template <class Options>

@@ -20,14 +20,19 @@
 #include "lib/helm/behaviors/fixed_turn.h"
 #include "lib/helm/behaviors/full_stop.h"
 #include "lib/helm/behaviors/go_to_depth.h"
+#include "lib/helm/behaviors/heading_bias.h"
+#include "lib/helm/behaviors/hysteresis.h"
 #include "lib/helm/behaviors/leg_run.h"
 #include "lib/helm/behaviors/loiter.h"
+#include "lib/helm/behaviors/maintain_heading.h"
 #include "lib/helm/behaviors/max_depth.h"
 #include "lib/helm/behaviors/max_speed.h"
 #include "lib/helm/behaviors/memory_turn_limit.h"
+#include "lib/helm/behaviors/min_altitude.h"
 #include "lib/helm/behaviors/op_region.h"
 #include "lib/helm/behaviors/periodic_speed.h"
 #include "lib/helm/behaviors/periodic_surface.h"
+#include "lib/helm/behaviors/rubber_band.h"
 #include "lib/helm/behaviors/shadow.h"
 #include "lib/helm/behaviors/station_keep.h"
 #include "lib/helm/behaviors/test_failure.h"
@@ -46,7 +51,8 @@ using AnyBehavior =
                  MaxDepthOptions, MaxSpeedOptions, CutRangeOptions, ConvoyOptions, GoToDepthOptions,
                  LegRunOptions, OpRegionOptions, MemoryTurnLimitOptions, PeriodicSpeedOptions,
                  ShadowOptions, FixedTurnOptions, ZigzagOptions, FullStopOptions,
-                 TestFailureOptions>;
+                 TestFailureOptions, MaintainHeadingOptions, HeadingBiasOptions, HysteresisOptions,
+                 MinAltitudeOptions, RubberBandOptions>;
 
 /// Where behaviors for contacts and updates of new names come from.
 enum class Templating {

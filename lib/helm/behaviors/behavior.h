@@ -73,8 +73,8 @@ struct BehaviorAnswer {
   /// > 0 and at most 1 with an objective. BehaviorSet multiplies it by the priority weight, which
   /// updates change without the behavior's knowledge.
   double relevance = 0;
-  double urgency = 1;        ///< The weight counts so many times: imminent danger; >= 1.
-  AllowedPart allowed = {};  ///< What it lets the decision be, whatever the weights.
+  double urgency = 1;                    ///< Factor of the weight, in imminent danger; >= 1.
+  AllowedPart allowed = {};              ///< What it lets the decision be, whatever the weights.
   std::vector<VariablePost> posts = {};  ///< Its own reports (WPT_INDEX ...), without flags.
   std::vector<std::string> flags = {};  ///< Names of own flag lists that fire now ("wptflag", ...).
   bool completes = false;

@@ -35,7 +35,7 @@ struct LegRunOptions {
   double slip_radius = 15;    ///< m.
   double lead = -1;           ///< m.
   double lead_damper = -1;    ///< m.
-  double return_angle = 30;   ///< Degrees to the leg, at most, after it kept clear of a contact.
+  double return_angle = 15;   ///< Degrees to the leg, at most, after it kept clear of a contact.
   double patience = 50;       ///< Per cent.
   int repeat = -1;            ///< Further rounds of two legs; -1: for ever.
   std::vector<std::string> leg_end_flag = {};

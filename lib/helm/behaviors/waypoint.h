@@ -31,7 +31,7 @@ struct WaypointOptions {
   bool capture_line_only = false;  ///< capture_line = "absolute" of others: the radii do not count.
   double lead = -1;  ///< m; steers for a point this far ahead on the leg; -1: for the point itself.
   double lead_damper = -1;     ///< m of cross-track distance within which lead grows; -1: off.
-  double return_angle = 30;    ///< Degrees to the leg, at most, after it kept clear of a contact.
+  double return_angle = 15;    ///< Degrees to the leg, at most, after it kept clear of a contact.
   bool lead_to_start = false;  ///< The first leg begins where the behavior began to run.
   std::string lead_condition = {};          ///< Leads only while this condition holds.
   std::string order = "normal";             ///< normal, reverse or toggle (by turns).

@@ -82,5 +82,10 @@ void DescribeKind(Fields& fields, MemoryTurnLimitOptions& o, bool is_recipe);
 void DescribeKind(Fields& fields, PeriodicSpeedOptions& o, bool is_recipe);
 void DescribeKind(Fields& fields, FullStopOptions& o, bool is_recipe);
 void DescribeKind(Fields& fields, TestFailureOptions& o, bool is_recipe);
+void DescribeKind(Fields& fields, MaintainHeadingOptions& o, bool is_recipe);
+void DescribeKind(Fields& fields, HeadingBiasOptions& o, bool is_recipe);
+void DescribeKind(Fields& fields, HysteresisOptions& o, bool is_recipe);
+void DescribeKind(Fields& fields, MinAltitudeOptions& o, bool is_recipe);
+void DescribeKind(Fields& fields, RubberBandOptions& o, bool is_recipe);
 
 }  // namespace shoal

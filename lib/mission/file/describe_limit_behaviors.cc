@@ -145,6 +145,49 @@ void DescribeKind(Fields& fields, PeriodicSpeedOptions& o, bool) {
 
 void DescribeKind(Fields&, FullStopOptions&, bool) {}
 
+void DescribeKind(Fields& fields, MaintainHeadingOptions& o, bool) {
+  fields.Number("peakwidth", o.peakwidth, kDegreesRange);
+  fields.Number("basewidth", o.basewidth, kDegreesRange);
+  fields.Number("summitdelta", o.summitdelta, kPercentRange);
+  fields.NoKey("heading", "it keeps the heading of its begin; constant_heading keeps a given one");
+}
+
+void DescribeKind(Fields& fields, HeadingBiasOptions& o, bool) {
+  OneWordOf(fields, "bias", o.bias, {"right", "left"});
+}
+
+void DescribeKind(Fields& fields, HysteresisOptions& o, bool) {
+  fields.Require("memory_time", "memory_time = 60");
+  fields.Number("memory_time", o.memory_time, Above(0, kLongest_s));
+  fields.Number("min_heading_window", o.min_heading_window, Between(0, 360));
+  fields.Number("max_heading_window", o.max_heading_window, Between(0, 360));
+  fields.Number("max_window_utility", o.max_window_utility, kPercentRange);
+  if (o.min_heading_window > o.max_heading_window) {
+    fields.Refuse("min_heading_window",
+                  "min_heading_window must not be greater than max_heading_window");
+  }
+}
+
+void DescribeKind(Fields& fields, MinAltitudeOptions& o, bool) {
+  fields.Require("min_altitude", "min_altitude = 10");
+  fields.Number("min_altitude", o.min_altitude, kDepthRange);
+  fields.Number("tolerance", o.tolerance, kDepthRange);
+  fields.Flag("missing_altitude_critical", o.missing_altitude_critical);
+  fields.CalledElsewhere("tolerance", "basewidth");
+}
+
+void DescribeKind(Fields& fields, RubberBandOptions& o, bool) {
+  MayBePoint(fields, "point", o.point);
+  fields.Number("inner_radius", o.inner_radius, Between(0, 10'000));
+  fields.Number("outer_radius", o.outer_radius, Above(0, 10'000));
+  fields.Number("outer_speed", o.outer_speed, kSpeedRange);
+  fields.Number("extra_speed", o.extra_speed, kSpeedRange);
+  fields.Number("stiffness", o.stiffness, Between(0, 1000));
+  if (o.outer_radius <= o.inner_radius) {
+    fields.Refuse("outer_radius", "outer_radius must be greater than inner_radius");
+  }
+}
+
 void DescribeKind(Fields& fields, TestFailureOptions& o, bool) {
   OneWordOf(fields, "failure_type", o.failure_type, {"crash", "burn"});
   fields.Number("burn_time", o.burn_time, Between(0, 60));

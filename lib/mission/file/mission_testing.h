@@ -714,7 +714,9 @@ class MissionDraw {
     if constexpr (requires { o->p1; }) o->p1 = o->p2 = Point();
     if constexpr (requires { o->leg_spds; }) o->leg_spds = {1, Number(0, 50)};
     if constexpr (requires { o->depths; }) o->depths = {{Number(0, 1000), Number(0, 1e7)}};
-    if constexpr (requires { o->memory_time; }) o->memory_time = o->turn_range = Positive(180);
+    if constexpr (requires { o->memory_time; }) o->memory_time = Positive(180);
+    if constexpr (requires { o->turn_range; }) o->turn_range = Positive(180);
+    if constexpr (requires { o->min_altitude; }) o->min_altitude = Number(0, 100);
     if constexpr (requires { o->period_lazy; }) o->period_lazy = o->period_busy = Positive(1e7);
     if constexpr (requires { o->fix_turn; }) o->fix_turn = Positive(36'000);
     if constexpr (requires { o->wptflag; }) o->wptflag = {"K = $[CTR]"};

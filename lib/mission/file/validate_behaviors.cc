@@ -26,8 +26,8 @@ bool IsOneOf(const AnyBehavior& what) {
 }
 
 bool IsAboutDepth(const AnyBehavior& what) {
-  return IsOneOf<ConstantDepthOptions, GoToDepthOptions, MaxDepthOptions, PeriodicSurfaceOptions>(
-      what);
+  return IsOneOf<ConstantDepthOptions, GoToDepthOptions, MaxDepthOptions, MinAltitudeOptions,
+                 PeriodicSurfaceOptions>(what);
 }
 
 /// True for behaviors which can lead a vessel somewhere, or keep it where it is.
@@ -35,7 +35,7 @@ bool GivesSpeed(const AnyBehavior& what) {
   return IsOneOf<WaypointOptions, LoiterOptions, StationKeepOptions, ConstantSpeedOptions,
                  TrailOptions, ShadowOptions, CutRangeOptions, ConvoyOptions, LegRunOptions,
                  PeriodicSpeedOptions, PeriodicSurfaceOptions, FixedTurnOptions, ZigzagOptions,
-                 FullStopOptions>(what);
+                 FullStopOptions, RubberBandOptions>(what);
 }
 
 /// Beginnings of the names of variables that behaviors report.

@@ -41,6 +41,15 @@ constexpr std::array kTypes = std::to_array<BhvType>({
     {"zigzag", "zigzag"},
     {"fullstop", "full_stop"},
     {"testfailure", "test_failure"},
+    {"maintainheading", "maintain_heading"},
+    {"headingbias", "heading_bias"},
+    {"hysteresis", "hysteresis"},
+    {"headinghysteresis", "hysteresis"},
+    {"minaltitudex", "min_altitude"},
+    {"rubberband", "rubber_band"},
+    {"aborttopoint", "waypoint"},
+    {"timeout", "op_region"},
+    {"opregionrecover", "op_region"},
 });
 
 constexpr std::string_view kContactKinds = "avoid_collision colregs trail shadow cut_range convoy";
@@ -307,6 +316,24 @@ constexpr std::array kKeys = std::to_array<BhvKey>({
     {"zigzag", "zag_flag", "zagflag", kTexts},
     {"zigzag", "starflag", "zagflag", kTexts},
     {"test_failure", "burn_time", "burn_time", kNumber},
+    {"maintain_heading", "peakwidth", "peakwidth", kNumber},
+    {"maintain_heading", "basewidth", "basewidth", kNumber},
+    {"maintain_heading", "summitdelta", "summitdelta", kNumber},
+    {"heading_bias", "bias", "bias", kWord},
+    {"hysteresis", "memory_time", "memory_time", kNumber},
+    {"hysteresis", "min_heading_window", "min_heading_window", kNumber},
+    {"hysteresis", "max_heading_window", "max_heading_window", kNumber},
+    {"hysteresis", "max_window_utility", "max_window_utility", kNumber},
+    {"min_altitude", "min_altitude", "min_altitude", kNumber},
+    {"min_altitude", "missing_altitude_critical", "missing_altitude_critical", kFlag},
+    {"rubber_band", "point", "point", kPoint},
+    {"rubber_band", "points", "point", kPoint},
+    {"rubber_band", "inner_radius", "inner_radius", kNumber},
+    {"rubber_band", "outer_radius", "outer_radius", kNumber},
+    {"rubber_band", "outer_speed", "outer_speed", kNumber},
+    {"rubber_band", "extra_speed", "extra_speed", kNumber},
+    {"rubber_band", "stiffness", "stiffness", kNumber},
+    {"op_region", "buffer_dist", "save_dist", kNumber},
 });
 
 constexpr std::array kLostKeys = std::to_array<BhvLostKey>({

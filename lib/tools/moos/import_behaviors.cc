@@ -257,7 +257,8 @@ class BlockImporter {
       TakeCenterLine(line, key, value);
     } else if (kind_ == "leg_run" && TakeLeg(line, key, value)) {
       return true;
-    } else if (kind_ == "op_region" && key == "polygon" && !IsOldRegion()) {
+    } else if (kind_ == "op_region" && key == "polygon" && !IsOldRegion() &&
+               !IsRegionThatRecovers()) {
       Refuse(line, "OpRegionV24 has no such key, but core_poly");
     } else if (kind_ == "leg_run" && key.starts_with("turn_")) {
       return TakeBothTurns(line, key);
@@ -358,6 +359,7 @@ class BlockImporter {
   }
 
   bool IsOldRegion() const { return LowerCase(block_.type).ends_with("opregion"); }
+  bool IsRegionThatRecovers() const { return LowerCase(block_.type).ends_with("opregionrecover"); }
 
   void TakeDefaults() {
     const bool has_turns = gathered_.contains("turn1_rad") && gathered_.contains("turn2_rad");
@@ -373,6 +375,10 @@ class BlockImporter {
     if (kind_ == "op_region" && IsOldRegion() && !gathered_.contains("trigger_entry_time")) {
       Assume("trigger_on_poly_entry", "false",
              "As MOOS-IvP's OpRegion: a start outside is a breach.");
+    }
+    if (LowerCase(block_.type).ends_with("aborttopoint")) {
+      Assume("capture_radius", "25", "As MOOS-IvP's AbortToPoint has it.");
+      Assume("slip_radius", "200", "As MOOS-IvP's AbortToPoint has it.");
     }
     TakeDistances();
     const bool is_constant = kind_.starts_with("constant_");

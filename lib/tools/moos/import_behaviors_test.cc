@@ -95,7 +95,7 @@ TEST(ImportBhv, KnowsTheVersionsOfATypeAndNoOther) {
   EXPECT_EQ(KindOfBhv("BHV_AvoidObstacle"), "avoid_obstacle");
   EXPECT_EQ(KindOfBhv("BHV_AvoidObstacleV24"), "avoid_obstacle");
   EXPECT_EQ(KindOfBhv("BHV_OpRegionV24"), "op_region");
-  EXPECT_EQ(KindOfBhv("BHV_OpRegionRecover"), "");
+  EXPECT_EQ(KindOfBhv("BHV_OpRegionMagic"), "");
   EXPECT_EQ(KindOfBhv("BHV_WaypointX"), "");
   EXPECT_EQ(KindOfBhv(""), "");
 }
@@ -112,7 +112,9 @@ TEST(ImportBhv, HasATypeForEveryKindOfBehavior) {
       ConvoyOptions::kKind,         GoToDepthOptions::kKind,       LegRunOptions::kKind,
       OpRegionOptions::kKind,       MemoryTurnLimitOptions::kKind, PeriodicSpeedOptions::kKind,
       ShadowOptions::kKind,         FixedTurnOptions::kKind,       ZigzagOptions::kKind,
-      FullStopOptions::kKind,       TestFailureOptions::kKind};
+      FullStopOptions::kKind,       TestFailureOptions::kKind,     MaintainHeadingOptions::kKind,
+      HeadingBiasOptions::kKind,    HysteresisOptions::kKind,      MinAltitudeOptions::kKind,
+      RubberBandOptions::kKind};
   EXPECT_EQ(kinds, wanted);
 }
 
@@ -176,6 +178,13 @@ TEST(ImportBhv, TakesTheKeysOfEveryType) {
       {{"ZigZag", "max_zig_zags = 3\nzig_first = star"},
        "max_zig_legs = 6\nzig_first = \"starboard\""},
       {{"FullStop", "duration = 5"}, "duration = 5"},
+      {{"MaintainHeading", "peakwidth = 5"}, "peakwidth = 5"},
+      {{"HeadingBias", "bias = left"}, "bias = \"left\""},
+      {{"Hysteresis", "memory_time = 20\nmax_heading_window = 40"},
+       "memory_time = 20\nmax_heading_window = 40"},
+      {{"MinAltitudeX", "min_altitude = 8"}, "min_altitude = 8"},
+      {{"RubberBand", "point = 1,2\nstiffness = 0.2"}, "point = [1, 2]\nstiffness = 0.2"},
+      {{"TimeOut", "max_time = 900"}, "max_time = 900"},
       {{"TestFailure", "failure_type = burn,4.5"}, "failure_type = \"burn\"\nburn_time = 4.5"},
       {{"Timer", "nostarve = A, B, 20"}, "nostarve = [\"A\", \"B\"]\nnostarve_s = 20"},
       {{"Timer", "run_flag = A = 1\nspawnxflag = B = 2"},
@@ -200,6 +209,18 @@ TEST(ImportBhv, LeavesOutABehaviorWithoutWhatItIsAbout) {
   ASSERT_EQ(import.warnings.size(), 1U);
   EXPECT_TRUE(import.warnings[0].starts_with("a:4: points = format=zigzag, x=2: "));
   EXPECT_TRUE(import.warnings[0].ends_with(": the behavior is left out"));
+}
+
+TEST(ImportBhv, TakesBehaviorsThatAreACaseOfOthers) {
+  const std::string abort = Text(Import(
+      "Behavior = BHV_AbortToPoint\n{\n name = abort\n point = 1,2\n speed = 2\n radius = 9\n}\n"));
+  EXPECT_NE(abort.find("kind = \"waypoint\""), std::string::npos) << abort;
+  EXPECT_NE(abort.find("capture_radius = 9"), std::string::npos) << abort;
+  EXPECT_NE(abort.find("slip_radius = 200"), std::string::npos) << abort;
+  const std::string recover = Text(Import(
+      "Behavior = BHV_OpRegionRecover\n{\n polygon = 0,0:0,50:50,50:50,0\n buffer_dist = 8\n}\n"));
+  EXPECT_NE(recover.find("kind = \"op_region\""), std::string::npos) << recover;
+  EXPECT_NE(recover.find("save_dist = 8"), std::string::npos) << recover;
 }
 
 TEST(ImportBhv, NamesEveryLineOfABehaviorThatIsNotThere) {
