@@ -38,7 +38,7 @@ int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err)
   std::optional<LogReader> reader = OpenLog(options.path, on_damage, err);
   if (!reader) return kExitEnvironment;
   const std::string wanted = UpperCase(options.vehicle);
-  std::map<std::string, helm_decision_t> last;  ///< By vehicle, up to at_s.
+  std::map<std::string, helm_decision_t> last;  ///< By vehicle, up to at_s; else shown last.
   std::map<std::string, helm_decision_t> all;   ///< The last of each vehicle, whenever.
   std::map<std::string, helm_state_t> states;   ///< Likewise.
   bool has_arrivals = false;
@@ -70,6 +70,11 @@ int LogHelm(const LogHelmOptions& options, std::ostream& out, std::ostream& err)
     all[vehicle] = decision;
     if (!wanted.empty() && vehicle != wanted) continue;
     if (!options.at_s) {
+      const auto shown = last.find(vehicle);
+      if (options.only_changes && shown != last.end() && !IsChange(decision, shown->second)) {
+        continue;
+      }
+      last[vehicle] = decision;
       out << DecisionLine(decision) << '\n';
     } else if (Seconds(decision.utime) <= *options.at_s) {
       last[vehicle] = decision;

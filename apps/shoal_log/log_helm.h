@@ -12,7 +12,8 @@ struct LogHelmOptions {
   std::string path;
   std::string vehicle = {};         ///< Empty: all; needed with at_s where a log has several.
   std::optional<double> at_s = {};  ///< The decision that counted at this time, in full.
-  bool skip_damage = false;         ///< Read what can be read of a damaged log.
+  bool only_changes = false;  ///< Leaves out decisions that hardly differ from the line before.
+  bool skip_damage = false;   ///< Read what can be read of a damaged log.
 };
 
 /// Prints one line for each decision and waypoint reached, or with at_s the decision that counted

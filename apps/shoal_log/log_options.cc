@@ -139,6 +139,8 @@ void AddLogCommands(Command log, CommandAction* action) {
   helm.AddOption("LOG", &helm_options->path, kLogArgument).Required();
   helm.AddOption("--vehicle", &helm_options->vehicle, "Only this vehicle");
   helm.AddOption("--at", &helm_options->at_s, "In full: the decision at this time, seconds");
+  helm.AddFlag("--changes", &helm_options->only_changes,
+               "Leave out decisions that hardly differ from the line before");
   helm.AddFlag("--skip-damage", &helm_options->skip_damage, "Read what can be read of a bad log");
   helm.Callback([helm_options, action] {
     *action = [helm_options] { return LogHelm(*helm_options, std::cout, std::cerr); };

@@ -92,6 +92,12 @@ void Describe(Fields& fields, BehaviorOptions& options) {
   DescribeCommon(fields, options);
   VariableName(fields, "updates", options.updates);
   fields.Choice("templating", options.templating, kTemplating);
+  const bool keeps_clear = std::holds_alternative<ColregsOptions>(options.what) ||
+                           std::holds_alternative<AvoidCollisionOptions>(options.what);
+  if (fields.reading() && keeps_clear && !fields.Has("contact", true) &&
+      !fields.Has("templating", true)) {
+    options.templating = Templating::kSpawn;  // Without a contact every contact is meant.
+  }
   if (fields.reading() && options.templating == Templating::kSpawn && !fields.Has("name", true)) {
     options.name += '_';  // The names of what it makes begin with it.
   }

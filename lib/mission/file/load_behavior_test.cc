@@ -184,8 +184,6 @@ lead = 3
             "14:1: station_keep needs station_pt = [0, 0], or center_activate = true to stay where "
             "it begins\n"
             "16:11: flag 'RETURN': write it as VARIABLE = value\n"
-            "17:1: behavior lacks 'contact'; for example: contact = \"henry\", the name of a "
-            "vehicle\n"
             "19:18: pwt_inner_dist must be less than pwt_outer_dist\n"
             "20:1: op_region needs a limit: core_poly = [[-50, -50], [50, -50], [50, 50], [-50, "
             "50]], max_depth, min_altitude or max_time\n"
@@ -266,6 +264,24 @@ std::string WarningsAfter(std::string_view more) {
   std::string all;
   for (const std::string& warning : WarningsBesideConduct(loaded)) all += warning + "\n";
   return all;
+}
+
+TEST(BehaviorFile, TakesAvoidanceWithoutAContactForEveryContact) {
+  for (const std::string kind : {"colregs", "avoid_collision"}) {
+    const LoadedMission loaded = LoadMissionText(
+        std::string(kShortest) + "behavior = [{kind = \"" + kind + "\"}]\n", "m.toml");
+    ASSERT_TRUE(loaded.errors.empty()) << loaded.errors.front();
+    const BehaviorOptions& behavior = loaded.mission.vehicles.at(0).behaviors.at(0);
+    EXPECT_EQ(behavior.templating, Templating::kSpawn);
+    EXPECT_EQ(behavior.name, kind + "_");
+  }
+  const LoadedMission one =
+      LoadMissionText(std::string(kShortest) +
+                          "[[vehicle]]\nname = \"henry\"\n"
+                          "behavior = [{kind = \"colregs\", contact = \"alpha\"}]\n",
+                      "m.toml");
+  ASSERT_TRUE(one.errors.empty()) << one.errors.front();
+  EXPECT_EQ(one.mission.vehicles.at(1).behaviors.at(0).templating, Templating::kNone);
 }
 
 TEST(BehaviorWarnings, NameWhatCanNeverHappen) {

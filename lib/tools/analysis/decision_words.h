@@ -11,7 +11,12 @@ namespace shoal {
 /// Text of the message is made printable.
 [[nodiscard]] std::string DecisionWords(const helm_decision_t& decision);
 
-/// Returns one line: time, course and speed, and the behavior that decided.
+/// Returns one line: time, course and speed, and the behaviors that decided.
 [[nodiscard]] std::string DecisionLine(const helm_decision_t& decision);
+
+/// Returns true where two decisions of a vehicle differ in more than small steps: by 5 degrees, 0.2
+/// m/s or 0.5 m of depth, in the mode, in what stops the vessel, in which behavior gave up
+/// most, or in a role.
+[[nodiscard]] bool IsChange(const helm_decision_t& next, const helm_decision_t& last);
 
 }  // namespace shoal

@@ -75,4 +75,35 @@ TEST(DecisionWords, MakesTextOfOthersPrintable) {
   EXPECT_EQ(text.find('\t'), std::string::npos);
 }
 
+TEST(DecisionWords, NameAllBehaviorsWhoseSumWonInFull) {
+  helm_decision_t decision = GivesWay();
+  const std::string long_name = "avoid_" + std::string(60, 'x');
+  decision.aims.push_back(Aim(long_name.c_str(), 100, 70, 5));
+  decision.aims.push_back(Aim("lost_too", 10, 300, 80));
+  decision.num_aims = 4;
+  const std::string line = DecisionLine(decision);
+  EXPECT_NE(line.find("for avd_ben, which is give-way:stern toward ben by rule 15/16; " +
+                      long_name + "."),
+            std::string::npos)
+      << line;
+  EXPECT_EQ(line.find("lost_too"), std::string::npos) << line;
+}
+
+TEST(IsChange, LeavesOutSmallSteps) {
+  const helm_decision_t last = GivesWay();
+  helm_decision_t next = last;
+  next.course_deg = 78.9;
+  next.speed_mps = 2.1;
+  next.aims[0].loss = 1700;
+  EXPECT_FALSE(IsChange(next, last));
+  next.course_deg = 79;
+  EXPECT_TRUE(IsChange(next, last));
+  next = last;
+  next.speed_mps = 2.25;
+  EXPECT_TRUE(IsChange(next, last));
+  next = last;
+  next.aims[1].role = "cpa";
+  EXPECT_TRUE(IsChange(next, last));
+}
+
 }  // namespace shoal::decision_words_test
