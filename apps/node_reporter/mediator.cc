@@ -19,8 +19,14 @@ size_t SizeOf(const node_message_t& message) {
 
 }  // namespace
 
-Mediator::Mediator(std::string vehicle, const MessageOptions& options, Bus& bus, StatusLog* log)
-    : vehicle_(std::move(vehicle)), options_(options), bus_(bus), log_(log) {
+Mediator::Mediator(std::string vehicle, const MessageOptions& options, uint64_t seed, Bus& bus,
+                   StatusLog* log)
+    : vehicle_(std::move(vehicle)),
+      options_(options),
+      ack_key_(StreamKey(seed, "ack jitter").With(vehicle_)),
+      repeat_key_(StreamKey(seed, "repeat jitter").With(vehicle_)),
+      bus_(bus),
+      log_(log) {
   Subscribe(bus, channels::MediatedMessage(vehicle_),
             [this](const node_message_t& message) { to_send_.push_back(message); });
   Subscribe(bus, channels::NodeMessage(vehicle_), [this](const node_message_t& message) {
@@ -34,24 +40,38 @@ Mediator::Mediator(std::string vehicle, const MessageOptions& options, Bus& bus,
     ack.src_node = vehicle_;
     ack.dest_node = message.src_node;
     ack.ack_id = message.ack_id;
-    to_acknowledge_.push_back(std::move(ack));
+    to_acknowledge_.push_back({.ack = std::move(ack), .due_utime = {}});
   });
   Subscribe(bus, channels::AckMessageTo(vehicle_),
             [this](const ack_message_t& ack) { received_acks_.push_back(ack); });
 }
 
 void Mediator::Tick(int64_t utime) {
-  for (ack_message_t& ack : to_acknowledge_) {
-    ack.utime = utime;
-    Publish(bus_, channels::AckMessage(), ack);
-    ++counters_.acks_sent;
-  }
+  Acknowledge(utime);
   for (const ack_message_t& ack : received_acks_) TakeAck(utime, ack);
   for (node_message_t& message : to_send_) Send(utime, std::move(message));
-  to_acknowledge_.clear();
   received_acks_.clear();
   to_send_.clear();
   Repeat(utime);
+}
+
+void Mediator::Acknowledge(int64_t utime) {
+  std::erase_if(to_acknowledge_, [&](WaitingAck& waiting) {
+    if (!waiting.due_utime) {
+      const double uniform = Stream(ack_key_.With(num_acks_++)).Uniform();
+      waiting.due_utime = utime + Microseconds(options_.ack_jitter_s * uniform);
+    }
+    if (*waiting.due_utime > utime) return false;
+    waiting.ack.utime = utime;
+    Publish(bus_, channels::AckMessage(), waiting.ack);
+    ++counters_.acks_sent;
+    return true;
+  });
+}
+
+int64_t Mediator::RepeatUtime(int64_t utime, const WaitingMessage& entry) const {
+  const double uniform = Stream(repeat_key_.With(entry.number).With(entry.num_repeats)).Uniform();
+  return utime + Microseconds(options_.ack_timeout_s + options_.repeat_jitter_s * uniform);
 }
 
 void Mediator::Send(int64_t utime, node_message_t message) {
@@ -77,7 +97,9 @@ void Mediator::Send(int64_t utime, node_message_t message) {
   }
 
   const Destinations named = ParseDestinations(message.dest_node);
-  WaitingMessage entry{.message = message, .silent = {}, .sent_utime = utime, .num_repeats = 0};
+  WaitingMessage entry{
+      .message = message, .silent = {}, .repeat_utime = 0, .number = number, .num_repeats = 0};
+  entry.repeat_utime = RepeatUtime(utime, entry);
   if (!named.all && message.dest_group.empty()) {
     for (const std::string& name : named.names) entry.silent.insert(VehicleKey(name));
     entry.silent.erase(VehicleKey(vehicle_));  // No vehicle receives its own messages.
@@ -114,12 +136,11 @@ std::map<std::string, Mediator::WaitingMessage>::iterator Mediator::Remove(
 void Mediator::Repeat(int64_t utime) {
   for (auto entry = waiting_.begin(); entry != waiting_.end();) {
     WaitingMessage& each = entry->second;
-    const double silence_s = Seconds(utime - each.sent_utime);
-    if (silence_s < options_.ack_timeout_s) {
+    if (utime < each.repeat_utime) {
       ++entry;
     } else if (each.num_repeats < options_.max_repeats) {
-      each.sent_utime = utime;
       ++each.num_repeats;
+      each.repeat_utime = RepeatUtime(utime, each);
       ++counters_.repeats;
       Publish(bus_, channels::NodeMessageLocal(), each.message);
       ++entry;

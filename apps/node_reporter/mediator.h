@@ -11,15 +11,17 @@
 // "All" are the other vehicles in dest_node; of a message to a group or to all, one is enough.
 //
 // A flood of messages must not become a flood of acks, which would overload the bus: of one step
-// at most kMaxAcksPerStep messages are acknowledged. Their senders repeat the others.
+// at most kMaxAcksPerStep messages wait to be acknowledged. Their senders repeat the others.
 #pragma once
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "lib/base/random/stream.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/mission/model/mission.h"
@@ -48,8 +50,9 @@ class Mediator {
   /// A message with a longer ack_id is not acknowledged.
   static constexpr size_t kLongestAckId = 1000;
 
-  /// Subscribes; `log` must outlive it.
-  Mediator(std::string vehicle, const MessageOptions& options, Bus& bus, StatusLog* log);
+  /// Subscribes; `log` must outlive it. Jitter is drawn by seed, vehicle and number.
+  Mediator(std::string vehicle, const MessageOptions& options, uint64_t seed, Bus& bus,
+           StatusLog* log);
 
   void Tick(int64_t utime);
 
@@ -61,24 +64,34 @@ class Mediator {
   struct WaitingMessage {
     node_message_t message;
     std::set<std::string> silent;  ///< Keys of vehicles yet to acknowledge; empty: any vehicle.
-    int64_t sent_utime = 0;
+    int64_t repeat_utime = 0;      ///< It is repeated then, or given up.
+    int64_t number = 0;            ///< Of those that were given.
     int64_t num_repeats = 0;
+  };
+  struct WaitingAck {
+    ack_message_t ack;
+    std::optional<int64_t> due_utime;  ///< Absent: it has come since the last step.
   };
 
   void Send(int64_t utime, node_message_t message);
+  void Acknowledge(int64_t utime);
+  int64_t RepeatUtime(int64_t utime, const WaitingMessage& entry) const;
   void TakeAck(int64_t utime, const ack_message_t& ack);
   void Repeat(int64_t utime);
   std::map<std::string, WaitingMessage>::iterator Remove(
       std::map<std::string, WaitingMessage>::iterator entry);
 
   std::vector<node_message_t> to_send_;
-  std::vector<ack_message_t> to_acknowledge_;
+  std::vector<WaitingAck> to_acknowledge_;
   std::vector<ack_message_t> received_acks_;
   std::map<std::string, WaitingMessage> waiting_;  ///< By ack_id.
   size_t waiting_bytes_ = 0;                       ///< Of these, as they are sent.
 
   const std::string vehicle_;
   const MessageOptions options_;
+  const StreamKey ack_key_;
+  const StreamKey repeat_key_;
+  int64_t num_acks_ = 0;  ///< That were asked for.
   Bus& bus_;
   StatusLog* log_;
   MediatorCounters counters_;

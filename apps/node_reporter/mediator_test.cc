@@ -57,7 +57,12 @@ class MediatorTest : public testing::Test {
   Bus& bus_ = hub_.Join("node_reporter_alpha");
   Bus& world_ = hub_.Join("world");
   StatusLog log_;
-  Mediator mediator_{"alpha", {.ack_timeout_s = 10, .max_repeats = 2}, bus_, &log_};
+  Mediator mediator_{
+      "alpha",
+      {.ack_timeout_s = 10, .max_repeats = 2, .ack_jitter_s = 0, .repeat_jitter_s = 0},
+      1,
+      bus_,
+      &log_};
   int64_t utime_ = 0;
   std::vector<node_message_t> sent_;
   std::vector<ack_message_t> acks_;
@@ -230,6 +235,51 @@ TEST_F(MediatorTest, RefusesMoreThanItCanStore) {
   Step();
   EXPECT_EQ(mediator_.num_waiting(), Mediator::kMaxWaiting);
   EXPECT_EQ(mediator_.counters().refused, 1);
+}
+
+/// Returns when a message of alpha is sent, repeated twice and no more, and when bravo's first ack
+/// for it leaves, in tenths of a second.
+std::vector<int> Times(uint64_t seed, const std::string& vehicle) {
+  MemoryBus hub;
+  Bus& bus = hub.Join("node_reporter");
+  Bus& world = hub.Join("world");
+  StatusLog log;
+  Mediator mediator(
+      vehicle, {.ack_timeout_s = 10, .max_repeats = 2, .ack_jitter_s = 2, .repeat_jitter_s = 5},
+      seed, bus, &log);
+  std::vector<int> times;
+  int now = 0;
+  Subscribe(world, channels::NodeMessageLocal(),
+            [&](const node_message_t&) { times.push_back(now); });
+  Subscribe(world, channels::AckMessage(), [&](const ack_message_t&) { times.push_back(now); });
+  Publish(world, channels::MediatedMessage(vehicle), MessageTo("zulu"));
+  node_message_t asks = MessageTo(vehicle, "id");
+  asks.src_node = "zulu";
+  asks.ack_requested = 1;
+  Publish(world, channels::NodeMessage(vehicle), asks);
+  for (; now < 400; ++now) {
+    hub.NextStep();
+    hub.HandleAll();
+    mediator.Tick(now * kSecond_us / 10);
+    hub.NextStep();
+    hub.HandleAll();
+  }
+  return times;
+}
+
+TEST(MediatorJitter, SpreadsAcksAndRepeatsByVehicleAndIsTheSameForTheSameSeed) {
+  const std::vector<int> alpha = Times(1, "alpha");
+  ASSERT_EQ(alpha.size(), 4U) << "the message, an ack and two repeats";
+  EXPECT_EQ(alpha[0], 0);
+  EXPECT_LE(alpha[1], 20);
+  for (const size_t i : {2U, 3U}) {
+    const int since = alpha[i] - (i == 2 ? 0 : alpha[2]);
+    EXPECT_GE(since, 100);
+    EXPECT_LE(since, 151);
+  }
+  EXPECT_EQ(Times(1, "alpha"), alpha);
+  EXPECT_NE(Times(1, "bravo"), alpha);
+  EXPECT_NE(Times(2, "alpha"), alpha);
 }
 
 }  // namespace shoal::mediator_test

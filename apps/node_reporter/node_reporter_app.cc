@@ -40,7 +40,7 @@ NodeReporterApp::NodeReporterApp(const Mission& mission, const Vehicle& vehicle,
       now_utime_(mission.start_utime),
       nav_grace_period_s_(vehicle.reporter_options.nav_grace_period_s),
       schedule_(vehicle.reporter_options.rate_hz, mission.start_utime, mission.tick_us),
-      mediator_(vehicle.name, vehicle.message_options, bus, &log_),
+      mediator_(vehicle.name, vehicle.message_options, mission.seed, bus, &log_),
       name_(vehicle.name),
       options_(vehicle.reporter_options),
       blackout_stream_(StreamKey(mission.seed, "blackout").With(vehicle.name)),
@@ -142,8 +142,16 @@ bool NodeReporterApp::HasFreshNav(int64_t utime) {
   return fresh;
 }
 
+/// Returns the time of the NAV that is reported. A program of the user's that leaves it out, or has
+/// a clock of its own, is taken at the step in which its NAV came.
+int64_t NodeReporterApp::NavUtime(int64_t utime) const {
+  const bool is_plausible =
+      nav_.utime <= utime && SecondsBetween(nav_.utime, utime) <= kNavTimeout_s;
+  return is_plausible ? nav_.utime : nav_utime_.value_or(utime);
+}
+
 void NodeReporterApp::FillReport(int64_t utime) {
-  report_.utime = utime;
+  report_.utime = NavUtime(utime);
   report_.x_m = nav_.x_m;
   report_.y_m = nav_.y_m;
   report_.depth_m = nav_.z_m;

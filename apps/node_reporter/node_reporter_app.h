@@ -35,6 +35,7 @@ class NodeReporterApp : public App {
   void TakeUncertainty(const navigation_t& navigation);
   void Report(int64_t utime);
   bool HasFreshNav(int64_t utime);
+  int64_t NavUtime(int64_t utime) const;
   void FillReport(int64_t utime);
   std::string Mode(int64_t utime) const;
   bool IsForetold() const;

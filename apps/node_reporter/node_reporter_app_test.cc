@@ -30,8 +30,9 @@ Mission OneVehicle() {
   return mission;
 }
 
-nav_t NavAt(double x_m) {
+nav_t NavAt(double x_m, int64_t utime = 1) {
   nav_t nav = {};
+  nav.utime = utime;
   nav.x_m = x_m;
   nav.y_m = -20;
   nav.z_m = 3;
@@ -63,7 +64,8 @@ class NodeReporterTest : public testing::Test {
   /// Steps with a NAV that moves East at 1 m/s.
   void StepsWithNav(int count) {
     for (int i = 0; i < count; ++i) {
-      Publish(vehicle_bus_, channels::Nav("alpha"), NavAt(static_cast<double>(step_) * 0.1));
+      Publish(vehicle_bus_, channels::Nav("alpha"),
+              NavAt(static_cast<double>(step_) * 0.1, mission_.UtimeOf(step_)));
       Step();
     }
   }
@@ -113,6 +115,24 @@ TEST_F(NodeReporterTest, ReportsWhatNavAndTheMissionHold) {
   ASSERT_EQ(report.num_extra, 1);
   EXPECT_EQ(report.extra[0].key, "payload");
   EXPECT_EQ(report.extra[0].value, "ctd");
+}
+
+TEST_F(NodeReporterTest, CarriesTheTimeOfItsPosition) {
+  Publish(vehicle_bus_, channels::Nav("alpha"), NavAt(7, mission_.UtimeOf(0)));
+  step_ = 1;
+  Step();
+  ASSERT_EQ(Reports().size(), 1U);
+  EXPECT_EQ(reports_[0].x_m, 7);
+  EXPECT_EQ(reports_[0].utime, mission_.UtimeOf(0)) << "a step before it was made";
+}
+
+TEST_F(NodeReporterTest, TakesNavWithoutATimeOfTheMissionAtItsStep) {
+  for (const int64_t utime : {int64_t{0}, int64_t{-5'000'000}, int64_t{1'000'000'000}}) {
+    Publish(vehicle_bus_, channels::Nav("alpha"), NavAt(7, utime));
+    step_ += 100;
+    Step();
+    EXPECT_EQ(Reports().back().utime, mission_.UtimeOf(step_ - 1)) << utime;
+  }
 }
 
 TEST_F(NodeReporterTest, KeepsItsRateAndCountsItsReports) {

@@ -72,6 +72,8 @@ void Describe(Fields& fields, ReporterOptions& options) {
 void Describe(Fields& fields, MessageOptions& options) {
   fields.Number("ack_timeout_s", options.ack_timeout_s, Above(0, 100'000));
   fields.Integer("max_repeats", options.max_repeats, 0, 1000);
+  fields.Number("ack_jitter_s", options.ack_jitter_s, Between(0, 1000));
+  fields.Number("repeat_jitter_s", options.repeat_jitter_s, Between(0, 1000));
 }
 
 /// [[vehicle.task]]: names are unique within the vehicle, since commands and expectations use them.

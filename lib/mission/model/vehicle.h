@@ -126,6 +126,10 @@ struct ReporterOptions {
 struct MessageOptions {
   double ack_timeout_s = 30;  ///< Time to wait for an ack before each repeat.
   int64_t max_repeats = 3;    ///< Then it is given up.
+  /// An ack waits for up to this, a repeat for up to that in addition, drawn for each: senders
+  /// whose packets would meet again and again drift apart.
+  double ack_jitter_s = 1;
+  double repeat_jitter_s = 5;
 
   bool operator==(const MessageOptions&) const = default;
 };
