@@ -35,6 +35,7 @@ Mission FiveVehicles(uint64_t seed) {
                    .reports_over = Over("vhf,acoustic"),
                    .messages_over = Over("vhf,acoustic")};
   mission.acoustics.is_used = true;
+  mission.acoustics.queue = false;  // The oracle knows none.
   AcousticOptions& options = mission.acoustics.options;
   options.access_mode = AccessMode::kShared;
   options.data_rate_bps = 20'000;

@@ -16,6 +16,8 @@ namespace shoal {
 
 namespace {
 
+/// Between two packets of one modem, so that rounding lets none meet.
+constexpr double kBetweenPackets_s = 1e-3;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Why the network cannot be; empty: it can.
@@ -37,6 +39,9 @@ AcousticNetwork NetworkOf(const Acoustics& acoustics, uint64_t seed,
 AcousticTraffic::AcousticTraffic(const BrokerSetup& setup, const Acoustics& acoustics,
                                  uint64_t seed, std::span<const AcousticNode> nodes)
     : crc_(acoustics.crc),
+      queues_(acoustics.queue),
+      queue_length_(static_cast<size_t>(acoustics.queue_length)),
+      queue_drop_(acoustics.queue_drop),
       tick_us_(setup.tick_us),
       epoch_utime_(setup.start_utime),
       max_payload_bytes_(kMaxPayload_bytes),
@@ -114,30 +119,98 @@ std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipm
   std::sort(shipment.legs.begin(), shipment.legs.end(),
             [](const ShipmentLeg& a, const ShipmentLeg& b) { return a.node < b.node; });
 
+  Node& node = nodes_[static_cast<size_t>(*source)];
+  const double sent_s = SecondsOf(SentUtime(utime));
+  if (!queues_ || (node.waiting.empty() && node.free_s <= sent_s)) {
+    Launch(sent_s, *source, std::move(shipment));
+    return refusals;
+  }
+  num_waiting_legs_ += static_cast<int64_t>(shipment.legs.size());
+  // Of one vehicle's reports only the newest waits, at the place of the one before.
+  const auto older = std::ranges::find_if(node.waiting, [&](const Shipment& each) {
+    return shipment.kind == Kind::kReport && each.kind == Kind::kReport &&
+           each.provenance.origin == shipment.provenance.origin;
+  });
+  if (older != node.waiting.end()) {
+    thrown_away_.push_back(std::exchange(*older, std::move(shipment)));
+    return refusals;
+  }
+  if (node.waiting.size() >= queue_length_) {
+    if (queue_drop_ == Acoustics::QueueDrop::kNewest) {
+      num_waiting_legs_ -= static_cast<int64_t>(shipment.legs.size());
+      refuse_if(Cause::kQueueFull, [](const ShipmentLeg&) { return true; });
+      return refusals;
+    }
+    thrown_away_.push_back(std::move(node.waiting.front()));
+    node.waiting.pop_front();
+  }
+  node.waiting.push_back(std::move(shipment));
+  return refusals;
+}
+
+void AcousticTraffic::Launch(double time_s, int source, Shipment shipment) {
+  Node& node = nodes_[static_cast<size_t>(source)];
+  std::optional<int> channel;
+  if (shipment.channel) channel = ChannelWith(*shipment.channel);
   std::vector<int> receivers;
   for (ShipmentLeg& leg : shipment.legs) {
     leg.to_m = positions_m_[static_cast<size_t>(leg.node)];
     receivers.push_back(leg.node);
   }
-  shipment.from_m = positions_m_[static_cast<size_t>(*source)];
+  shipment.from_m = positions_m_[static_cast<size_t>(source)];
   std::vector<uint8_t> frame = shipment.payload;
   if (crc_) AppendLittleEndian(Crc32(shipment.payload), &frame);
-  const int64_t sent_utime = SentUtime(utime);
   const int64_t number =
-      network_.Transmit(SecondsOf(sent_utime), *source, positions_m_, frame, receivers,
+      network_.Transmit(time_s, source, positions_m_, frame, receivers,
                         {.data_rate_bps = shipment.data_rate_bps, .channel = channel});
-  if (receivers.empty()) return refusals;
-  ++nodes_[static_cast<size_t>(*source)].num_packets;
+  const AcousticOptions& options = network_.options();
+  const double air_s = 8 * static_cast<double>(frame.size()) /
+                       shipment.data_rate_bps.value_or(options.data_rate_bps);
+  const double jitter_s = options.jitter == JitterModel::kOff ? 0 : options.max_jitter_s;
+  node.free_s = std::max(node.free_s, time_s + air_s + jitter_s + kBetweenPackets_s);
+  if (receivers.empty()) return;
+  ++node.num_packets;
   const size_t num_legs = receivers.size();
-  under_way_.emplace(
-      PacketId{.source = *source, .number = number},
-      UnderWay{
-          .shipment = std::move(shipment), .sent_utime = sent_utime, .num_legs_left = num_legs});
-  return refusals;
+  under_way_.emplace(PacketId{.source = source, .number = number},
+                     UnderWay{.shipment = std::move(shipment),
+                              .sent_utime = UtimeOf(time_s),
+                              .num_legs_left = num_legs});
+}
+
+std::optional<int> AcousticTraffic::NextToLaunch() const {
+  std::optional<int> next;
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    if (nodes_[i].waiting.empty()) continue;
+    if (next && nodes_[i].free_s >= nodes_[static_cast<size_t>(*next)].free_s) continue;
+    next = static_cast<int>(i);
+  }
+  return next;
+}
+
+void AcousticTraffic::LaunchWaiting(double until_s) {
+  while (const std::optional<int> next = NextToLaunch()) {
+    Node& node = nodes_[static_cast<size_t>(*next)];
+    if (node.free_s > until_s) return;
+    Shipment shipment = std::move(node.waiting.front());
+    node.waiting.pop_front();
+    num_waiting_legs_ -= static_cast<int64_t>(shipment.legs.size());
+    Launch(node.free_s, *next, std::move(shipment));
+  }
 }
 
 void AcousticTraffic::Deliver(int64_t utime, const TakeLegEnd& take) {
   delivered_utime_ = delivered_utime_ ? std::max(utime, *delivered_utime_) : utime;
+  for (const Shipment& shipment : std::exchange(thrown_away_, {})) {
+    num_waiting_legs_ -= static_cast<int64_t>(shipment.legs.size());
+    for (const ShipmentLeg& leg : shipment.legs) {
+      take({.shipment = shipment,
+            .leg = leg,
+            .cause = Cause::kQueueFull,
+            .sent_utime = *delivered_utime_,
+            .arrived_utime = *delivered_utime_});
+    }
+  }
+  LaunchWaiting(SecondsOf(*delivered_utime_));
   for (const Reception& reception : network_.Deliver(SecondsOf(*delivered_utime_))) {
     const auto found = under_way_.find(reception.packet);
     SHOAL_CHECK(found != under_way_.end(), "what arrives was sent");
@@ -167,8 +240,13 @@ void AcousticTraffic::Deliver(int64_t utime, const TakeLegEnd& take) {
 
 std::optional<int64_t> AcousticTraffic::NextUtime() const {
   if (num_in_transit() == 0) return std::nullopt;
+  double next_s = network_.NextEvent_s();
+  if (const std::optional<int> next = NextToLaunch()) {
+    next_s = std::min(next_s, nodes_[static_cast<size_t>(*next)].free_s);
+  }
+  if (!thrown_away_.empty()) return delivered_utime_;
   // A microsecond earlier: this is rounded, and the network's times are too.
-  return UtimeOf(network_.NextEvent_s()) - 1;
+  return UtimeOf(next_s) - 1;
 }
 
 Cause AcousticTraffic::CauseOf(const Reception& reception, const Shipment& shipment) const {

@@ -6,12 +6,16 @@
 //   traffic.Send(utime, std::move(shipment));            // legs: one for each receiver
 //   traffic.Deliver(utime, [&](const LegEnd& end) { ... });
 //
-// What the broker handles at `utime` was published one step before, and leaves its source then.
+// What the broker handles at `utime` was published one step before, and leaves its source then;
+// with a queue not before the source's packet before it has been sent and has arrived, whatever the
+// jitter, so that a vehicle's own packets never meet.
 #pragma once
 
 #include <Eigen/Core>
 #include <cmath>
 #include <cstdint>
+#include <deque>
+#include <limits>
 #include <map>
 #include <optional>
 #include <span>
@@ -74,8 +78,8 @@ class AcousticTraffic {
   }
   /// Returns the mission time of a moment of the network, to the microsecond.
   int64_t UtimeOf(double time_s) const { return epoch_utime_ + Microseconds(time_s); }
-  /// Legs without a fate.
-  int64_t num_in_transit() const { return network_.num_in_transit(); }
+  /// Legs without a fate, of packets that wait too.
+  int64_t num_in_transit() const { return network_.num_in_transit() + num_waiting_legs_; }
   /// Returns a mission time before which Deliver has nothing to report, unless more is sent;
   /// nothing where nothing is in transit.
   std::optional<int64_t> NextUtime() const;
@@ -97,6 +101,8 @@ class AcousticTraffic {
     std::string name;
     uint32_t address = 0;
     int num_packets = 0;  ///< In transit.
+    std::deque<Shipment> waiting = {};
+    double free_s = -std::numeric_limits<double>::infinity();  ///< The next may be sent then.
   };
   struct PacketHash {
     size_t operator()(const PacketId& packet) const {
@@ -112,9 +118,18 @@ class AcousticTraffic {
   std::optional<int> FindNode(std::string_view name) const;
   double SecondsOf(int64_t utime) const { return Seconds(utime - epoch_utime_); }
   int64_t SentUtime(int64_t utime) const;
+  /// Sends it now. @pre its legs have nodes, in their order
+  void Launch(double time_s, int source, Shipment shipment);
+  /// Launches what waits and may be sent until `until_s`, in order of time, then of vehicles.
+  void LaunchWaiting(double until_s);
+  /// Returns the vehicle whose waiting packet may be sent first; nothing where none waits.
+  std::optional<int> NextToLaunch() const;
   Cause CauseOf(const Reception& reception, const Shipment& shipment) const;
 
   bool crc_;
+  bool queues_;
+  size_t queue_length_;
+  Acoustics::QueueDrop queue_drop_;
   int64_t tick_us_;
   int64_t epoch_utime_;  ///< The network's time is counted from here.
   int64_t max_payload_bytes_;
@@ -126,6 +141,8 @@ class AcousticTraffic {
   std::vector<Eigen::Vector3d> positions_m_;         ///< By node.
   std::unordered_map<PacketId, UnderWay, PacketHash> under_way_;
   std::optional<int64_t> delivered_utime_;  ///< Of the last Deliver.
+  int64_t num_waiting_legs_ = 0;            ///< Of packets that wait, or were thrown away ...
+  std::vector<Shipment> thrown_away_;       ///< ... since the last Deliver.
 };
 
 }  // namespace shoal

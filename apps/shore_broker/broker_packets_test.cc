@@ -161,7 +161,18 @@ TEST_F(CalmPackets, WithoutSenderOrPayloadAreRefused) {
   EXPECT_EQ(fates_[3].length_limit_bytes, 65'535);
 }
 
-TEST_F(CalmPackets, OfAVehicleWithTooManyInTransitFindNoChannel) {
+Mission WithoutQueue() {
+  Mission mission = QuietNetwork();
+  mission.acoustics.queue = false;
+  return mission;
+}
+
+class PacketsWithoutQueue : public AcousticFixture {
+ protected:
+  PacketsWithoutQueue() : AcousticFixture(WithoutQueue()) {}
+};
+
+TEST_F(PacketsWithoutQueue, OfAVehicleWithTooManyInTransitFindNoChannel) {
   Begin();
   for (int i = 0; i < AcousticTraffic::kMaxPacketsOfOne + 3; ++i) SendPacket("alpha", Bytes(1000));
   Step();

@@ -165,7 +165,12 @@ void Delivery::TakeLegEnd(int64_t utime, const LegEnd& end) {
   const std::string& destination = end.leg.destination;
   const bool is_overheard = end.leg.decision.is_overheard;
   Cause cause = end.cause;
-  if (has_gateways_ && cause == Cause::kDelivered && shipment.kind != Kind::kPacket) {
+  // What a gateway that it is not for does not forward either has come to nothing.
+  const bool is_thrown_away =
+      is_overheard && cause == Cause::kDelivered && ForwarderOf(end) == nullptr;
+  if (is_thrown_away) {
+    cause = Cause::kNoMedium;
+  } else if (has_gateways_ && cause == Cause::kDelivered && shipment.kind != Kind::kPacket) {
     const Provenance& provenance = shipment.provenance;
     const bool is_new = received_.Take(shipment.kind, provenance.origin, provenance.number,
                                        destination, !provenance.via.empty());
@@ -181,7 +186,8 @@ void Delivery::TakeLegEnd(int64_t utime, const LegEnd& end) {
   }
   // The network handed over what a checksum, or the receiver, then threw away.
   const bool was_handed_over = end.reception != nullptr && HandsOver(end.reception->fate);
-  if (was_handed_over && !IsReceived(cause) && cause != Cause::kAlreadyReceived) {
+  if (was_handed_over && !IsReceived(cause) && cause != Cause::kAlreadyReceived &&
+      !is_thrown_away) {
     end.acoustic->CountRejection();
   }
   Conclude(utime, end, cause);
@@ -222,16 +228,21 @@ void Delivery::Conclude(int64_t utime, const LegEnd& end, Cause cause) {
               router_.rules().pulse_duration_s);
 }
 
+const GatewayOptions* Delivery::ForwarderOf(const LegEnd& arrival) const {
+  const GatewayOptions* gateway =
+      has_gateways_ ? traffic_.GatewayAt(arrival.leg.destination) : nullptr;
+  if (gateway == nullptr) return nullptr;
+  const bool is_wanted =
+      arrival.shipment.kind == Kind::kReport ? gateway->reports : gateway->messages;
+  const bool is_from =
+      std::ranges::find(gateway->from, arrival.leg.medium.name) != gateway->from.end();
+  return is_wanted && is_from ? gateway : nullptr;
+}
+
 void Delivery::HandToGateway(int64_t utime, const LegEnd& arrival) {
+  if (ForwarderOf(arrival) == nullptr) return;
   const std::string& destination = arrival.leg.destination;
-  const GatewayOptions* gateway = has_gateways_ ? traffic_.GatewayAt(destination) : nullptr;
-  if (gateway == nullptr) return;
   const Shipment& shipment = arrival.shipment;
-  const bool is_wanted = shipment.kind == Kind::kReport ? gateway->reports : gateway->messages;
-  if (!is_wanted ||
-      std::ranges::find(gateway->from, arrival.leg.medium.name) == gateway->from.end()) {
-    return;
-  }
   relay_t relay;
   relay.utime = utime;
   relay.gateway = destination;

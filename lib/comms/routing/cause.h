@@ -36,7 +36,7 @@ enum class Cause : uint8_t {
   kBelowHorizon,     ///< Radio: the Earth's curvature hides one from the other.
   kWeakSignal,       ///< Radio: the path loss is greater than the receiver bears.
   kAlreadyReceived,  ///< Forwarded by a gateway: the destination has it, or had made it.
-  kQueueFull,        ///< At a gateway, which has as much to forward as it keeps.
+  kQueueFull,        ///< At a gateway or a modem, which has as much to send as it keeps.
   kHopLimit,         ///< At a gateway: as many as it allows have forwarded it.
 
   // Of an acoustic network.
@@ -126,8 +126,7 @@ inline constexpr std::array kRows = {
              kNone, kAll},
     CauseRow{Cause::kAlreadyReceived, "already_received", "Received Already", "received already",
              kBlue, kNone, kAllButPackets},
-    CauseRow{Cause::kQueueFull, "queue_full", "Gateway Queue Full", "gateway's queue full", kBlue,
-             kNone, kAllButPackets},
+    CauseRow{Cause::kQueueFull, "queue_full", "Queue Full", "queue full", kBlue, kNone, kAll},
     CauseRow{Cause::kHopLimit, "hop_limit", "Hop Limit", "too many gateways in turn", kBlue, kNone,
              kAllButPackets},
     CauseRow{Cause::kNoChannel, "no_channel", "No Channel", "no acoustic channel", kSkyBlue, kNone,

@@ -127,6 +127,13 @@ void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::str
   if (fields.reading() && options.modem) SetDefaults(*options.modem, options);
   if (fields.reading() && (options.modem || has_sea)) SetSoundSpeed(fields, options);
   fields.Flag("crc", acoustics.crc);
+  fields.Flag("queue", acoustics.queue);
+  fields.Integer("queue_length", acoustics.queue_length, 1, 10'000);
+  constexpr std::array<std::string_view, 2> kQueueDrops = {"oldest", "newest"};
+  std::string drop(kQueueDrops[static_cast<size_t>(acoustics.queue_drop)]);
+  fields.Word("queue_drop", drop, kQueueDrops);
+  acoustics.queue_drop =
+      drop == kQueueDrops[1] ? Acoustics::QueueDrop::kNewest : Acoustics::QueueDrop::kOldest;
   DescribeWord(fields, "access_mode", options.access_mode);
   DescribeWord(fields, "channel_order", options.channel_order);
   DescribeWord(fields, "jitter", options.jitter);

@@ -233,7 +233,8 @@ TEST(LoadWarnings, ReportReportsThatOverlapInTransit) {
       WarningsOverAcoustics(""),
       std::vector<std::string>{
           "m.toml:4:16: warning: alpha may report every 0.5 s, and a report of 41 bytes takes "
-          "0.328 s at 1000 bit/s, with jitter up to 0.528 s: its own reports will collide; "
+          "0.328 s at 1000 bit/s, with jitter up to 0.528 s: its own reports are more than "
+          "its modem sends, and some will be thrown away; "
           "lower rate_hz in [vehicle.reporter], or raise data_rate_bps"});
   EXPECT_EQ(WarningsOverAcoustics("crc = false\nmax_jitter_s = 0.2").size(), 0U) << "0.296 + 0.2 s";
   EXPECT_EQ(WarningsOverAcoustics("jitter = \"off\"\n").size(), 0U);

@@ -76,6 +76,30 @@ void WarnOfOutsiders(const Mission& mission, const TablePlace& comms, double air
                   tick_s, air_s, mission.acoustics.options.data_rate_bps, least_s));
 }
 
+/// Warns where the reports of all who send on one channel take more time than it has.
+void WarnOfFullChannel(const Mission& mission, const TablePlace& comms, double air_s) {
+  const AccessMode mode = mission.acoustics.options.access_mode;
+  if (mode == AccessMode::kFdma) return;
+  double load = 0;
+  int num_senders = 0;
+  for (const Vehicle& vehicle : mission.vehicles) {
+    const bool sends_there = mode != AccessMode::kTdmaLf || !vehicle.acoustic_leader;
+    const bool is_sender = vehicle.reporter == Provider::kShoal && sends_there &&
+                           vehicle.HasMedium(kAcousticMedium) &&
+                           vehicle.reporter_options.rate_hz > 0;
+    if (!is_sender) continue;
+    load += air_s / ReportInterval_s(vehicle.reporter_options);
+    ++num_senders;
+  }
+  if (num_senders < 2 || load <= 1) return;
+  comms.Warn("reports_over",
+             fmt::format("the reports of {} vehicles take {:.2g} s of each second of the one "
+                         "channel that they share, at {:g} bit/s: most will collide; lower "
+                         "rate_hz in [vehicle.reporter], raise data_rate_bps, or write "
+                         "access_mode = \"fdma\" in [acoustics]",
+                         num_senders, load, mission.acoustics.options.data_rate_bps));
+}
+
 }  // namespace
 
 void ValidateAcousticReports(const Mission& mission, const TablePlace& file) {
@@ -119,12 +143,16 @@ void ValidateAcousticReports(const Mission& mission, const TablePlace& file) {
     if (!is_sender || interval_s >= air_s + jitter_s) continue;
     comms.Warn("reports_over",
                fmt::format("{} may report every {:g} s, and a report of {} bytes takes {:g} s at "
-                           "{:g} bit/s, with jitter up to {:g} s: its own reports will collide; "
+                           "{:g} bit/s, with jitter up to {:g} s: its own reports {}; "
                            "lower rate_hz in [vehicle.reporter], or raise data_rate_bps",
                            vehicle.name, interval_s, frame_bytes, air_s, options.data_rate_bps,
-                           air_s + jitter_s));
+                           air_s + jitter_s,
+                           mission.acoustics.queue
+                               ? "are more than its modem sends, and some will be thrown away"
+                               : "will collide"));
     return;
   }
+  WarnOfFullChannel(mission, comms, air_s);
 }
 
 }  // namespace shoal

@@ -86,7 +86,13 @@ struct Acoustics {
   /// The mission uses it: it has the table, or traffic that goes over it. Only then must
   /// there be a channel for each vehicle.
   bool is_used = false;
-  bool crc = true;  ///< Four more bytes on the air; receivers drop packets that fail the check.
+  /// Which of the packets that wait is thrown away when one more comes than there is room for.
+  enum class QueueDrop : uint8_t { kOldest, kNewest };
+
+  bool crc = true;    ///< Four more bytes on the air; receivers drop packets that fail the check.
+  bool queue = true;  ///< A vehicle sends one packet after another; false: at once, as muNet does.
+  int64_t queue_length = 16;  ///< So many packets of one vehicle wait; > 0.
+  QueueDrop queue_drop = QueueDrop::kOldest;
   AcousticOptions options;
 
   bool operator==(const Acoustics&) const = default;
