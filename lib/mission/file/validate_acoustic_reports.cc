@@ -76,7 +76,7 @@ void WarnOfOutsiders(const Mission& mission, const TablePlace& comms, double air
                   tick_s, air_s, mission.acoustics.options.data_rate_bps, least_s));
 }
 
-/// Warns where the reports of all who send on one channel take more time than it has.
+/// Warns where the reports of all that send on one channel take more time than it has.
 void WarnOfFullChannel(const Mission& mission, const TablePlace& comms, double air_s) {
   const AccessMode mode = mission.acoustics.options.access_mode;
   if (mode == AccessMode::kFdma) return;

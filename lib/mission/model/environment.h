@@ -91,7 +91,7 @@ struct Acoustics {
 
   bool crc = true;    ///< Four more bytes on the air; receivers drop packets that fail the check.
   bool queue = true;  ///< A vehicle sends one packet after another; false: at once, as muNet does.
-  int64_t queue_length = 16;  ///< So many packets of one vehicle wait; > 0.
+  int64_t queue_length = 16;  ///< At most as many packets of one vehicle wait; > 0.
   QueueDrop queue_drop = QueueDrop::kOldest;
   AcousticOptions options;
 
