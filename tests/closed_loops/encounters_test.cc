@@ -54,7 +54,7 @@ struct Overtaking {
   double fastest_mps = 0;
 };
 
-Overtaking Run(const std::string& text) {
+Overtaking Sail(const std::string& text) {
   const LoadedMission loaded = LoadMissionText(text, "overtaking.toml", {});
   EXPECT_TRUE(loaded.errors.empty());
   const Mission& mission = loaded.mission;
@@ -79,7 +79,7 @@ TEST(Overtaking, FromDeadAsternIsDoneInEveryCaseAndNeitherVesselFlees) {
       choice.mission.lead_m = lead_m;
       const auto chosen = ChooseEncounter(choice);
       ASSERT_TRUE(chosen.ok());
-      const Overtaking result = Run((*chosen).mission);
+      const Overtaking result = Sail((*chosen).mission);
       const double asked_mps = (*chosen).scenario.vessels.at(1).start.speed_mps;
       EXPECT_LT(result.fastest_mps, 1.1 * asked_mps) << number << " lead " << lead_m;
       EXPECT_GT(result.own.x_m, result.target.x_m + 30) << number << " lead " << lead_m;
@@ -101,17 +101,17 @@ capture_radius = 5
 lead = 8
 lead_damper = 1
 )";
-  const Overtaking result =
-      Run("[mission]\nname = \"overtaking\"\nduration_s = 300\n[comms]\ncomms_range = "
-          "\"nolimit\"\nstale_time = \"nolimit\"\n[template.vessel]\nlength_m = 3\n"
-          "helm_options = {deploy_at_start = true}\n"
-          "[[vehicle]]\nname = \"fast\"\ntemplate = \"vessel\"\nstart = {x_m = 0, y_m = -2, "
-          "heading_deg = 90, speed_mps = 2.4}" +
-          behaviors_of +
-          "speed = 2.4\npoints = [[0, -2], [1500, -2]]\n"
-          "[[vehicle]]\nname = \"slow\"\ntemplate = \"vessel\"\nstart = {x_m = 120, y_m = 0, "
-          "heading_deg = 90, speed_mps = 1}" +
-          behaviors_of + "speed = 1\npoints = [[120, 0], [1500, 0]]\n");
+  const Overtaking result = Sail(
+      "[mission]\nname = \"overtaking\"\nduration_s = 300\n[comms]\ncomms_range = "
+      "\"nolimit\"\nstale_time = \"nolimit\"\n[template.vessel]\nlength_m = 3\n"
+      "helm_options = {deploy_at_start = true}\n"
+      "[[vehicle]]\nname = \"fast\"\ntemplate = \"vessel\"\nstart = {x_m = 0, y_m = -2, "
+      "heading_deg = 90, speed_mps = 2.4}" +
+      behaviors_of +
+      "speed = 2.4\npoints = [[0, -2], [1500, -2]]\n"
+      "[[vehicle]]\nname = \"slow\"\ntemplate = \"vessel\"\nstart = {x_m = 120, y_m = 0, "
+      "heading_deg = 90, speed_mps = 1}" +
+      behaviors_of + "speed = 1\npoints = [[120, 0], [1500, 0]]\n");
   EXPECT_LT(result.fastest_mps, 1.1);
   EXPECT_GT(result.own.x_m, result.target.x_m + 30);
 }
