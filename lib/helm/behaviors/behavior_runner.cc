@@ -6,6 +6,7 @@
 
 #include "lib/base/check/check.h"
 #include "lib/base/text/blanks.h"
+#include "lib/base/text/letters.h"
 #include "lib/helm/behaviors/contact_recipe.h"
 #include "lib/helm/modes/value_text.h"
 
@@ -64,8 +65,27 @@ std::string_view Name(RunState state) {
   return "";
 }
 
+std::vector<std::string> ConditionsOf(const BehaviorOptions& options) {
+  constexpr std::string_view kMacro = "$[CONTACT]";
+  AnyBehavior what = options.what;
+  const std::string* contact = ContactOf(what);
+  if (contact == nullptr) return options.condition;
+  std::string name = *contact;
+  for (char& c : name) {
+    if (!IsNameCharacter(c)) c = '_';
+  }
+  if (name.empty()) name = "CONTACT";
+  std::vector<std::string> conditions = options.condition;
+  for (std::string& text : conditions) {
+    for (size_t at = text.find(kMacro); at != text.npos; at = text.find(kMacro, at + name.size())) {
+      text.replace(at, kMacro.size(), name);
+    }
+  }
+  return conditions;
+}
+
 std::string Problem(const BehaviorOptions& options) {
-  const auto conditions = ParseConditions(options.condition);
+  const auto conditions = ParseConditions(ConditionsOf(options));
   if (!conditions.ok()) return conditions.error();
   std::vector<const std::vector<std::string>*> lists = EachOwnFlags(options.what);
   for (const auto& [name, list] : CommonFlags(options.flags)) lists.push_back(list);
@@ -88,7 +108,7 @@ BehaviorRunner::BehaviorRunner(BehaviorOptions options, std::unique_ptr<Behavior
 void BehaviorRunner::Parse() {
   const std::string problem = Problem(options_);
   SHOAL_CHECK(problem.empty(), "conditions and flags of a behavior are checked before it starts");
-  conditions_ = *ParseConditions(options_.condition);
+  conditions_ = *ParseConditions(ConditionsOf(options_));
   const BehaviorFlags& texts = options_.flags;
   flags_ = {*ParseFlags(texts.runflag),      *ParseFlags(texts.runxflag),
             *ParseFlags(texts.idleflag),     *ParseFlags(texts.activeflag),

@@ -89,6 +89,32 @@ TEST(Spawning, PassesOverContactsThatAreFilteredOut) {
   EXPECT_TRUE(HasEvent(helm.Tick(), "end", "avd_henry: completed, its contact has left the group"));
 }
 
+TEST(Spawning, PutsTheContactsNameIntoConditions) {
+  TestHelm helm;
+  BehaviorOptions& options = helm.Add("avd_", Avoid());
+  options.templating = Templating::kSpawn;
+  options.condition = {"MARKED_$[CONTACT] = true"};
+  options.flags.runflag = {"RUNS = $[CONTACT]"};
+  helm.contacts["henry"] = ContactAt("henry", 70, 0);
+  helm.TickWith("MARKED_gilda", "true");
+  EXPECT_TRUE(helm.Has("avd_henry"));
+  EXPECT_EQ(helm.ValueOf("RUNS"), "");
+  helm.TickWith("MARKED_henry", "true");
+  EXPECT_EQ(helm.ValueOf("RUNS"), "henry");
+}
+
+TEST(Conditions, HaveANameForAContactThatIsNoneOfAVariable) {
+  BehaviorOptions options{.name = "avd", .what = Avoid()};
+  options.condition = {"$[CONTACT] = 1", "A = $[CONTACT]_$[CONTACT]"};
+  EXPECT_EQ(ConditionsOf(options),
+            (std::vector<std::string>{"CONTACT = 1", "A = CONTACT_CONTACT"}));
+  std::get<AvoidCollisionOptions>(options.what).contact.contact = "to be-set";
+  EXPECT_EQ(ConditionsOf(options).front(), "to_be_set = 1");
+  EXPECT_EQ(Problem(options), "");
+  options.what = WaypointOptions();
+  EXPECT_NE(Problem(options), "") << "a waypoint has no contact";
+}
+
 TEST(Spawning, StopsAtItsGreatestNumber) {
   TestHelm helm;
   BehaviorOptions& options = helm.Add("avd_", Avoid());

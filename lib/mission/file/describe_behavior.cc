@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "lib/helm/behaviors/behavior_runner.h"
+#include "lib/helm/modes/condition.h"
 #include "lib/helm/modes/value_text.h"
 #include "lib/mission/file/behavior_fields.h"
 #include "lib/mission/toml/suggest.h"
@@ -44,6 +46,12 @@ void DescribeDuration(Fields& fields, BehaviorOptions& options) {
   }
 }
 
+/// They may name the contact.
+void CheckConditions(Fields& fields, const BehaviorOptions& options) {
+  const auto parsed = ParseConditions(ConditionsOf(options));
+  if (!parsed.ok()) fields.Refuse("condition", parsed.error());
+}
+
 }  // namespace
 
 void DescribeKindOf(Fields& fields, BehaviorOptions& options) {
@@ -55,7 +63,7 @@ void DescribeCommon(Fields& fields, BehaviorOptions& options) {
   fields.Number("pwt", options.pwt, Between(0, 1e6));
   fields.CalledElsewhere("pwt", "priority");
   fields.CalledElsewhere("pwt", "weight");
-  ConditionTexts(fields, "condition", options.condition);
+  TextsOrOne(fields, "condition", options.condition, kMaxFlags);
   DescribeFlags(fields, options.flags);
   DescribeDuration(fields, options);
   fields.Flag("perpetual", options.perpetual);
@@ -103,6 +111,7 @@ void Describe(Fields& fields, BehaviorOptions& options) {
   }
   fields.SmallInteger("max_spawnings", options.max_spawnings, 1, 1'000'000);
   DescribeKindOf(fields, options);
+  CheckConditions(fields, options);
 }
 
 }  // namespace shoal

@@ -207,7 +207,10 @@ void WarnOfVariables(const Mission& mission, const Vehicle& vehicle, const Table
     check(place.Below("mode", i), vehicle.modes[i].condition);
   }
   for (size_t i = 0; i < vehicle.behaviors.size(); ++i) {
-    check(place.Below("behavior", i), vehicle.behaviors[i].condition);
+    const BehaviorOptions& behavior = vehicle.behaviors[i];
+    // Which contact a recipe's condition names is known when one is spawned.
+    const bool is_recipe = behavior.templating == Templating::kSpawn;
+    check(place.Below("behavior", i), is_recipe ? behavior.condition : ConditionsOf(behavior));
   }
 }
 
