@@ -45,8 +45,8 @@ export class Commands {
     }});
     this.list = element('ol', {id: 'command-list', class: 'commands', 'aria-live': 'polite'});
     this.rows = new KeyedList(this.list, () => commandRow());
-    root.append(element('div', {id: 'commands'}, this.#forOne(), this.#forAll(), this.#clock(),
-      this.#rules(), element('section', {class: 'sent'}, element('h3', {}, 'Sent'), this.list)));
+    root.append(element('div', {id: 'commands'}, this.#forOne(), this.#forAll(), this.#named(),
+      this.#clock(), this.#rules(), element('section', {class: 'sent'}, element('h3', {}, 'Sent'), this.list)));
     this.setVehicles();
   }
 
@@ -162,6 +162,14 @@ export class Commands {
     return element('section', {}, element('h3', {}, 'All vehicles'),
       this.#button('all_stop_all', 'ALL-STOP ALL (X)', 'stop the actuators of all vehicles',
         () => this.allStop(), {class: 'danger'}),
+      element('div', {class: 'buttons'}, buttons));
+  }
+
+  /** A button for each [[order]] of the mission. */
+  #named() {
+    const buttons = (this.page.setup.orders ?? []).map((name) => this.#button(name, clip(name, 40),
+      'an [[order]] of the mission', () => this.send(name, [])));
+    return element('section', {hidden: buttons.length === 0}, element('h3', {}, 'Orders of the mission'),
       element('div', {class: 'buttons'}, buttons));
   }
 

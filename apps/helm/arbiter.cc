@@ -96,6 +96,7 @@ helm_aim_t AimMessage(const HelmAim& aim) {
 Arbiter::Arbiter(const Mission& mission, const Vehicle& vehicle)
     : inputs_(vehicle),
       vehicle_(vehicle.name),
+      deploy_keeps_(vehicle.helm_options.deploy_keeps),
       interval_us_(Microseconds(vehicle.helm_options.decide_every_s)),
       behaviors_(SetupOf(vehicle)) {
   if (inputs_.is_used()) obstacles_ = mission.obstacles;
@@ -109,6 +110,10 @@ std::string Arbiter::Set(const VariablePost& setting) {
 
 bool Arbiter::HasVariable(std::string_view name) const {
   return behaviors_.variables().Find(name) != nullptr;
+}
+
+bool Arbiter::IsKept(std::string_view name) const {
+  return std::find(deploy_keeps_.begin(), deploy_keeps_.end(), name) != deploy_keeps_.end();
 }
 
 HelmOrder Arbiter::Instead(const HelmOrder& order) const {
@@ -126,8 +131,8 @@ void Arbiter::TakeOver(const HelmOrder& order) {
   switch (order.kind) {
     case OrderKind::kDeploy:
       set(kDeploy, true);
-      set(kReturn, false);
-      set(kStationKeep, false);
+      if (!IsKept(kReturn)) set(kReturn, false);
+      if (!IsKept(kStationKeep)) set(kStationKeep, false);
       break;
     case OrderKind::kReturn:
       set(kDeploy, true);

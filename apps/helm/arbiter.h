@@ -91,6 +91,7 @@ class Arbiter {
   std::string Text() const;
 
  private:
+  bool IsKept(std::string_view name) const;
   /// Returns what the last decision makes of the aim of the tasks.
   const Guidance* Weighed(const Moment& moment);
   void Decide(const Moment& moment);
@@ -99,6 +100,7 @@ class Arbiter {
 
   ArbiterInputs inputs_;
   const std::string vehicle_;
+  const std::vector<std::string> deploy_keeps_;  ///< Variables that `deploy` leaves alone.
   std::vector<Obstacle> obstacles_;
   const int64_t interval_us_;
   BehaviorSet behaviors_;

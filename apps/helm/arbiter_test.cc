@@ -274,6 +274,25 @@ TEST(Arbiter, SetsTheVariablesThatStandForOrders) {
   EXPECT_EQ(loop.state.task, "out");
 }
 
+TEST(Arbiter, KeepsVariablesThatDeployIsToldToKeep) {
+  for (const bool is_kept : {false, true}) {
+    Vehicle vehicle = Northbound();
+    vehicle.helm_options.deploy_at_start = false;
+    if (is_kept) vehicle.helm_options.deploy_keeps = {"STATION_KEEP"};
+    vehicle.tasks.clear();
+    vehicle.variables = {{"DEPLOY", std::string("false")}, {"STATION_KEEP", std::string("true")}};
+    BehaviorOptions out = GoTo("out", {1000, 0});
+    out.condition = {"STATION_KEEP = false"};
+    BehaviorOptions stay = GoTo("stay", {-1000, 0});
+    stay.condition = {"STATION_KEEP = true"};
+    vehicle.behaviors = {out, stay};
+    HelmAndVessel loop(vehicle);
+    loop.Command("deploy");
+    loop.Run(5);
+    EXPECT_EQ(loop.state.task, is_kept ? "stay" : "out");
+  }
+}
+
 TEST(Arbiter, LetsGoalsRestWhileAnOrderSteers) {
   Vehicle vehicle = Northbound();
   vehicle.tasks.clear();

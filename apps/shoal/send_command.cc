@@ -30,7 +30,10 @@ struct Sender {
   const Order& whole;
   const std::vector<std::string>& without_helm;
 
-  int operator()(const OrderToHelms& order) const { return SendHelm(bus, order, without_helm); }
+  int operator()(const OrderToHelms& order) const {
+    return SendHelm(bus, {.orders = {order}}, without_helm);
+  }
+  int operator()(const OrderByName& named) const { return SendHelm(bus, named, without_helm); }
   int operator()(const OrderToClock& order) const { return SendClock(bus, order); }
 
   int operator()(const OrderToSims& order) const {
@@ -87,7 +90,8 @@ int RunSend(const SendOptions& options) {
   const OrderScope scope = {.mission = mission->name,
                             .vehicles = mission->vehicles,
                             .groups = mission->groups,
-                            .is_playback = !mission->playback_of.empty()};
+                            .is_playback = !mission->playback_of.empty(),
+                            .orders = mission->orders};
   const Result<Order> order = ParseOrder(scope, options.target, options.words);
   if (!order.ok()) {
     fmt::print(stderr, "shoal: {}\n", order.error());

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "apps/shoal/send_command.h"
 #include "lib/base/check/result.h"
@@ -30,11 +31,15 @@ void ReceivePages(LcmBus& bus, OrderWatch* watch) {
 
 }  // namespace
 
-int SendHelm(LcmBus& bus, const OrderToHelms& order, const std::vector<std::string>& without_helm) {
-  OrderWatch watch(TracesOf(order));
+int SendHelm(LcmBus& bus, const OrderByName& named, const std::vector<std::string>& without_helm) {
+  OrderWatch watch(TracesOf(named));
+  std::set<std::string> vehicles;
+  for (const OrderToHelms& order : named.orders) {
+    vehicles.insert(order.vehicles.begin(), order.vehicles.end());
+  }
   bool is_sent = false;
   std::map<std::string, helm_state_t> states;  ///< The last that came after the order, by vehicle.
-  for (const std::string& vehicle : order.vehicles) {
+  for (const std::string& vehicle : vehicles) {
     Subscribe(bus, channels::HelmState(vehicle), [&, vehicle](const helm_state_t& state) {
       if (is_sent) states[vehicle] = state;
     });
@@ -43,12 +48,14 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order, const std::vector<std::stri
             [&](const appcast_t& page) { watch.OnPage(page, MonotonicMicroseconds()); });
 
   while (!watch.IsReady(MonotonicMicroseconds()) && bus.error().empty()) ReceivePages(bus, &watch);
-  Publish(bus, Order(order));
+  Publish(bus, Order(named));
   if (!BusWorks(bus)) return kExitEnvironment;
   const int64_t sent_us = MonotonicMicroseconds();
   watch.Sent(sent_us, {});
   is_sent = true;
-  fmt::print("sent {} to {}\n", order.command.command, fmt::join(order.vehicles, ", "));
+  for (const OrderToHelms& order : named.orders) {
+    fmt::print("sent {} to {}\n", order.command.command, fmt::join(order.vehicles, ", "));
+  }
   std::fflush(stdout);
   const auto is_done = [&] {
     bool done = true;
@@ -66,12 +73,16 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order, const std::vector<std::stri
   bool is_any_refused = false;
   size_t num_silent = 0;
   size_t num_without = 0;
+  std::set<std::string> shown;
   for (const OrderWatch::Answer& answer : watch.answers()) {
     const std::string& vehicle = answer.trace.participant;
     if (answer.outcome == OrderOutcome::kRefused) {
       is_any_refused = true;
       fmt::print(stderr, "{} refused: {}\n", vehicle, answer.reason);
-    } else if (const auto state = states.find(vehicle); state != states.end()) {
+      continue;
+    }
+    if (!shown.insert(vehicle).second) continue;
+    if (const auto state = states.find(vehicle); state != states.end()) {
       fmt::print("{}: {} {} ({})\n", vehicle, state->second.state, state->second.task,
                  state->second.all_stop);
     } else if (std::ranges::find(without_helm, vehicle) != without_helm.end()) {
@@ -86,9 +97,9 @@ int SendHelm(LcmBus& bus, const OrderToHelms& order, const std::vector<std::stri
     fmt::print(
         "{} of {} helms have published nothing since; `shoal status` shows which participants "
         "run, and whether the mission is paused\n",
-        num_silent, order.vehicles.size() - num_without);
+        num_silent, vehicles.size() - num_without);
   }
-  return is_any_refused || num_without == order.vehicles.size() ? kExitUsage : kExitOk;
+  return is_any_refused || num_without == vehicles.size() ? kExitUsage : kExitOk;
 }
 
 }  // namespace shoal

@@ -9,9 +9,9 @@
 
 namespace shoal {
 
-/// Publishes to each vehicle and prints what its helm publishes next; of the vehicles
+/// Publishes the orders to their vehicles and prints what its helm publishes next; of the vehicles
 /// `without_helm` that it has none, unless a program answers in its place. Returns the exit code:
 /// kExitUsage where a helm refused, or none is there.
-int SendHelm(LcmBus& bus, const OrderToHelms& order, const std::vector<std::string>& without_helm);
+int SendHelm(LcmBus& bus, const OrderByName& named, const std::vector<std::string>& without_helm);
 
 }  // namespace shoal

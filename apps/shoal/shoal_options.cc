@@ -251,7 +251,9 @@ void AddSend(Command shoal, CommandAction* action) {
   auto options = std::make_shared<SendOptions>();
   AddPort(command, &options->port_base);
   command.Footer(SendCommandsText());
-  command.AddOption("TARGET", &options->target, "A vehicle, group:NAME, all, clock, or a rule")
+  command
+      .AddOption("TARGET", &options->target,
+                 "A vehicle, group:NAME, all, clock, a rule, or an [[order]] of the mission")
       .Required();
   command.AddOption("WORDS", &options->words, "Command and arguments, or vehicle and value");
   // Negative numbers are values here, not options.

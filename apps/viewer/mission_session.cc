@@ -102,12 +102,13 @@ void MissionSession::Join(bool allow_commands) {
   Subscribe(*bus_, channels::Appcast(),
             [this](const appcast_t& page) { board_.Take(page, now_us_); });
   if (!allow_commands) return;
-  desk_ = std::make_unique<CommandDesk>(*bus_,
-                                        OrderScope{.mission = running_.name,
-                                                   .vehicles = running_.vehicles,
-                                                   .mission_id = running_.mission_id,
-                                                   .groups = running_.groups,
-                                                   .is_playback = !running_.playback_of.empty()});
+  desk_ =
+      std::make_unique<CommandDesk>(*bus_, OrderScope{.mission = running_.name,
+                                                      .vehicles = running_.vehicles,
+                                                      .mission_id = running_.mission_id,
+                                                      .groups = running_.groups,
+                                                      .is_playback = !running_.playback_of.empty(),
+                                                      .orders = running_.orders});
 }
 
 std::string MissionSession::error() const {

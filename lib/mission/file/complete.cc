@@ -188,6 +188,9 @@ void ResolveNames(Mission& mission, const TablePlace& file) {
   for (size_t i = 0; i < mission.events.size(); ++i) {
     std::visit(ResolveEvent{file.Below("event", i), mission}, mission.events[i].what);
   }
+  for (size_t i = 0; i < mission.orders.size(); ++i) {
+    ResolveEvent{file.Below("order", i), mission}(mission.orders[i].command);
+  }
   for (size_t i = 0; i < mission.expectations.size(); ++i) {
     std::visit(ResolveExpectation{file.Below("expect", i), mission}, mission.expectations[i].what);
   }

@@ -105,6 +105,7 @@ void Describe(Fields& fields, NetsimOptions& options);
 
 /// One [[event]] of a mission that ends at `end_s`.
 void Describe(Fields& fields, Event& event, double end_s);
+void Describe(Fields& fields, NamedOrder& order);
 /// One [[expect]], likewise.
 void Describe(Fields& fields, Expectation& expectation, double end_s);
 

@@ -1,4 +1,4 @@
-// The table [[event]].
+// The tables [[event]] and [[order]].
 #include <fmt/format.h>
 
 #include <array>
@@ -164,6 +164,14 @@ void Describe(Fields& fields, Event& event, double end_s) {
     if (message) event.what = MessageEvent();
   }
   std::visit([&](auto& what) { Describe(fields, what); }, event.what);
+}
+
+void Describe(Fields& fields, NamedOrder& order) {
+  fields.Require("name", "name = \"patrol\", which `shoal send patrol` gives");
+  fields.Text("name", order.name, {.min_length = 1});
+  fields.Require("command", "command = \"set\", as an [[event]] has it");
+  if (!fields.Has("command", true)) return fields.SkipRest();
+  Describe(fields, order.command);
 }
 
 }  // namespace shoal

@@ -174,6 +174,8 @@ void Describe(Fields& file, Mission& mission) {
   if (!file.reading()) DescribeNetsim(file, mission);
   file.List("event", mission.events,
             [&](Fields& fields, Event& event) { Describe(fields, event, end_s); });
+  file.List("order", mission.orders,
+            [](Fields& fields, NamedOrder& order) { Describe(fields, order); });
   file.List("participant", mission.participants, [](Fields& fields, Participant& participant) {
     fields.Text("name", participant.name, {.max_length = 1000});
     fields.Require("name", "name = \"my_planner\"");

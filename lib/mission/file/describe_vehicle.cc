@@ -37,8 +37,16 @@ void Describe(Fields& fields, StartPose& start) {
 }
 
 void Describe(Fields& fields, HelmOptions& options) {
+  constexpr size_t kMaxKept = 2;
   fields.Number("nav_timeout_s", options.nav_timeout_s, Above(0, 3600));
   fields.Flag("deploy_at_start", options.deploy_at_start);
+  fields.Texts("deploy_keeps", options.deploy_keeps, kMaxKept);
+  for (const std::string& name : options.deploy_keeps) {
+    if (name == "RETURN" || name == "STATION_KEEP") continue;
+    fields.Refuse("deploy_keeps",
+                  "deploy sets DEPLOY, RETURN and STATION_KEEP: RETURN and "
+                  "STATION_KEEP can be kept");
+  }
   fields.Number("state_interval_s", options.state_interval_s, Above(0, 3600));
   fields.Number("decide_every_s", options.decide_every_s, Between(0.01, 60));
   fields.Flag("goals_mandatory", options.goals_mandatory);

@@ -233,6 +233,34 @@ at_most = 0
   EXPECT_EQ(std::get<CommsExpectation>(mission.expectations[0].what).kind, Kind::kAck);
 }
 
+TEST(Load, TakesOrdersWithNames) {
+  const LoadedMission loaded = LoadMissionText(
+      std::string(kShortest) +
+          "[[order]]\nname = \"patrol\"\nvehicle = \"all\"\ncommand = \"set\"\n"
+          "argument = \"PATROL=true\"\n[[order]]\nname = \"patrol\"\nvehicle = \"ALPHA\"\n"
+          "command = \"speed\"\nvalues = [1.5]\n",
+      "m.toml", {});
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{});
+  EXPECT_EQ(OrdersOf(loaded.mission),
+            (std::vector<OrderWords>{{"patrol", "all", {"set", "PATROL=true"}},
+                                     {"patrol", "alpha", {"speed", "1.5"}}}));
+}
+
+TEST(LoadErrors, ReportOrdersThatShoalSendWouldNotFind) {
+  const auto errors = [](const std::string& name) {
+    return ErrorsAfter("[[order]]\nname = \"" + name + "\"\nvehicle = \"all\"\n" +
+                       "command = \"return\"\n");
+  };
+  EXPECT_EQ(errors("home"), "");
+  EXPECT_NE(errors("ALPHA").find("no order can be called 'ALPHA': is a vehicle"),
+            std::string::npos);
+  for (const char* name : {"clock", "all", "comms_range", "a b"}) {
+    EXPECT_NE(errors(name).find("no order can be called"), std::string::npos) << name;
+  }
+  EXPECT_NE(ErrorsAfter("[[order]]\nname = \"home\"\nvehicle = \"zulu\"\ncommand = \"return\"\n"),
+            "");
+}
+
 constexpr std::string_view kHoldThenHome = R"([[vehicle.task]]
 name = "hold"
 kind = "station_keep"

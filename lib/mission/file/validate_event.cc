@@ -1,4 +1,5 @@
-// Whether the vehicles of an [[event]] have the tasks and groups that it names.
+// Whether the vehicles of an [[event]] or [[order]] have the tasks and groups that it names, and
+// whether an order's name means nothing else.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +9,9 @@
 #include <vector>
 
 #include "lib/base/text/letters.h"
+#include "lib/comms/routing/control.h"
 #include "lib/mission/file/validate.h"
+#include "lib/mission/model/names.h"
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {
@@ -42,6 +45,17 @@ void CheckGroup(const MessageEvent& event, const Mission& mission, const TablePl
                          DidYouMean(event.dest_group, groups)));
 }
 
+/// `shoal send` knows orders by names that mean nothing else.
+void CheckOrderName(const std::string& name, const Mission& mission, const TablePlace& place) {
+  std::string problem = NameProblem(name);
+  if (mission.FindVehicle(name) != nullptr) problem = "is a vehicle";
+  if (FindControl(name) != nullptr) problem = "is a rule of the broker";
+  if (name == "clock" || name == "all") problem = "means another target of `shoal send`";
+  if (problem.empty()) return;
+  place.Refuse("name", fmt::format("no order can be called {}: {}; give it another name",
+                                   Quoted(name), problem));
+}
+
 }  // namespace
 
 void ValidateEvents(const Mission& mission, const TablePlace& file) {
@@ -52,6 +66,11 @@ void ValidateEvents(const Mission& mission, const TablePlace& file) {
     } else if (const auto* message = std::get_if<MessageEvent>(&mission.events[i].what)) {
       CheckGroup(*message, mission, place.Below("message"));
     }
+  }
+  for (size_t i = 0; i < mission.orders.size(); ++i) {
+    const TablePlace place = file.Below("order", i);
+    CheckOrderName(mission.orders[i].name, mission, place);
+    CheckTaskArgument(mission.orders[i].command, mission, place);
   }
 }
 

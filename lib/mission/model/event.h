@@ -1,4 +1,4 @@
-// [[event]] as data.
+// [[event]] and [[order]] as data.
 #pragma once
 
 #include <optional>
@@ -49,6 +49,15 @@ struct Event {
   std::variant<CommandEvent, SimCommandEvent, RuleEvent, MessageEvent> what;
 
   bool operator==(const Event&) const = default;
+};
+
+/// `[[order]]`: a command that `shoal send NAME` gives; orders of one name are given together, in
+/// the order of the file.
+struct NamedOrder {
+  std::string name;
+  CommandEvent command;
+
+  bool operator==(const NamedOrder&) const = default;
 };
 
 }  // namespace shoal

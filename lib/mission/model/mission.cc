@@ -1,7 +1,10 @@
 #include "lib/mission/model/mission.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lib/base/check/check.h"
 #include "lib/base/text/letters.h"
@@ -81,6 +84,17 @@ std::map<std::string, std::vector<std::string>> GroupsOf(const Mission& mission)
     groups[first->group].push_back(vehicle.name);
   }
   return groups;
+}
+
+std::vector<OrderWords> OrdersOf(const Mission& mission) {
+  std::vector<OrderWords> orders;
+  for (const auto& [name, command] : mission.orders) {
+    OrderWords order{.name = name, .target = command.vehicle, .words = {command.command}};
+    if (!command.argument.empty()) order.words.push_back(command.argument);
+    for (const double value : command.values) order.words.push_back(fmt::format("{}", value));
+    orders.push_back(std::move(order));
+  }
+  return orders;
 }
 
 }  // namespace shoal

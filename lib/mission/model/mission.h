@@ -118,6 +118,7 @@ struct Mission {
   std::vector<SwarmOptions> swarms;     ///< [swarm], or each [[swarm]].
   std::optional<NetsimOptions> netsim;  ///< Participants over netsim's interface.
   std::vector<Event> events;            ///< In order of time; equal times in file order.
+  std::vector<NamedOrder> orders;       ///< Given by `shoal send NAME`.
   std::vector<Participant> participants;
   std::vector<HostOptions> hosts;  ///< None: all processes run on this computer.
   std::vector<Expectation> expectations;
@@ -148,5 +149,17 @@ struct Mission {
 /// Returns the members of each group, in the mission's order, by the group's name as its first
 /// member has it. Groups are the same without regard to case.
 [[nodiscard]] std::map<std::string, std::vector<std::string>> GroupsOf(const Mission& mission);
+
+/// An [[order]] as `shoal send` takes commands: "patrol" means all, set, PATROL=true.
+struct OrderWords {
+  std::string name;
+  std::string target;
+  std::vector<std::string> words;
+
+  bool operator==(const OrderWords&) const = default;
+};
+
+/// Returns the mission's orders, in the order of the file.
+[[nodiscard]] std::vector<OrderWords> OrdersOf(const Mission& mission);
 
 }  // namespace shoal

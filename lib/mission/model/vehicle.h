@@ -95,6 +95,8 @@ inline constexpr std::string_view kEndOfTasks = "end_of_tasks";
 struct HelmOptions {
   double nav_timeout_s = 2;      ///< All-stop when no NAV came for this long.
   bool deploy_at_start = false;  ///< DRIVE from the first step; otherwise PARK until `deploy`.
+  /// Variables that `deploy` leaves as they are.
+  std::vector<std::string> deploy_keeps = {};
   double state_interval_s = 1;   ///< HELM_STATE at least this often.
   double decide_every_s = 0.25;  ///< With behaviors: time between decisions, in whole steps.
   bool goals_mandatory = false;  ///< Constraints alone (avoidance, limits) stop the vehicle.

@@ -78,7 +78,8 @@ std::string HostSession::StartAll() {
                                .pid = getpid(),
                                .vehicles = VehicleNames(mission_),
                                .overrides = offer_.overrides,
-                               .groups = GroupsOf(mission_)};
+                               .groups = GroupsOf(mission_),
+                               .orders = OrdersOf(mission_)};
   if (const auto kept = KeepSecret(port_base_, offer_.secret); !kept.ok()) return kept.error();
   const Result<int> secret_fd = SecretInMemory(offer_.secret);
   if (!secret_fd.ok()) return secret_fd.error();

@@ -283,7 +283,8 @@ int RunMission(const RunOptions& asked, const Mission& mission, const LaunchedAp
       .pid = getpid(),
       .vehicles = vehicles,
       .overrides = options.overrides,
-      .groups = GroupsOf(mission)};
+      .groups = GroupsOf(mission),
+      .orders = OrdersOf(mission)};
   for (const Vehicle& vehicle : mission.vehicles) {
     if (vehicle.helm == Provider::kNone) running.without_helm.push_back(vehicle.name);
   }

@@ -26,11 +26,19 @@ std::string UnknownTarget(const OrderScope& scope, std::string_view target) {
   std::vector<std::string_view> known(scope.vehicles.begin(), scope.vehicles.end());
   known.insert(known.end(), rules.begin(), rules.end());
   known.push_back(kClock);
+  std::vector<std::string_view> orders;
+  for (const OrderWords& order : scope.orders) {
+    if (std::find(orders.begin(), orders.end(), order.name) == orders.end()) {
+      orders.push_back(order.name);
+    }
+  }
+  known.insert(known.end(), orders.begin(), orders.end());
   const std::string word = std::string(target.substr(0, 64));
   return fmt::format(
-      "no vehicle {} in {}{}; it has: {}; other targets: all, group:NAME, clock, and the rules {}",
+      "no vehicle {} in {}{}; it has: {}; other targets: all, group:NAME, clock, {}and the rules "
+      "{}",
       Quoted(word), scope.mission, DidYouMean(word, known), fmt::join(scope.vehicles, ", "),
-      Joined(rules));
+      orders.empty() ? "" : fmt::format("the orders {}, ", Joined(orders)), Joined(rules));
 }
 
 std::string UnknownGroup(const OrderScope& scope, std::string_view group) {
@@ -89,6 +97,29 @@ OrderTrace BrokerTrace(const ControlRow& row) {
           .refused = fmt::format("{} refused: ", row.channel)};
 }
 
+bool HasOrder(const OrderScope& scope, std::string_view name) {
+  return std::any_of(scope.orders.begin(), scope.orders.end(),
+                     [&](const OrderWords& each) { return each.name == name; });
+}
+
+Result<Order> ParseOrderByName(const OrderScope& scope, std::string_view name,
+                               std::span<const std::string> words) {
+  if (!words.empty()) {
+    return Error{
+        fmt::format("{} is an [[order]] of {}: it takes no more words", name, scope.mission)};
+  }
+  OrderByName named;
+  for (const OrderWords& each : scope.orders) {
+    if (each.name != name) continue;
+    const Result<helm_command_t> command = ParseHelmWords(each.words);
+    if (!command.ok()) return Error{fmt::format("order {}: {}", name, command.error())};
+    const std::vector<std::string> vehicles = VehiclesOf(scope, each.target);
+    if (vehicles.empty()) return Error{UnknownTarget(scope, each.target)};
+    named.orders.push_back({.vehicles = vehicles, .command = *command});
+  }
+  return Order(std::move(named));
+}
+
 }  // namespace
 
 bool HasVehicle(const OrderScope& scope, std::string_view name) {
@@ -121,6 +152,7 @@ Result<Order> ParseOrder(const OrderScope& scope, std::string_view target,
         return OrderToClock{.command = command};
       });
     }
+    if (HasOrder(scope, target)) return ParseOrderByName(scope, target, words);
     return Error{UnknownTarget(scope, target)};
   }
   if (words.empty()) return Error{"a command is missing: " + SendCommandsText()};
@@ -169,6 +201,9 @@ struct Publisher {
   void operator()(const OrderToBroker& order) const {
     Publish(bus, channels::Control(*order.row), order.control);
   }
+  void operator()(const OrderByName& named) const {
+    for (const OrderToHelms& order : named.orders) (*this)(order);
+  }
   void operator()(const OrderToClock& order) const {
     Publish(bus, channels::ClockCommand(), order.command);
   }
@@ -186,6 +221,10 @@ std::vector<OrderTrace> TracesOf(const Order& order) {
     }
   } else if (const auto* sims = std::get_if<OrderToSims>(&order)) {
     for (const std::string& each : sims->vehicles) traces.push_back(SimTrace(each, sims->command));
+  } else if (const auto* named = std::get_if<OrderByName>(&order)) {
+    for (const OrderToHelms& each : named->orders) {
+      for (OrderTrace& trace : TracesOf(each)) traces.push_back(std::move(trace));
+    }
   } else if (const auto* broker = std::get_if<OrderToBroker>(&order)) {
     traces.push_back(BrokerTrace(*broker->row));
   }

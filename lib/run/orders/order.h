@@ -16,6 +16,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/bus.h"
 #include "lib/comms/routing/control.h"
+#include "lib/mission/model/mission.h"
 #include "lib/run/orders/order_watch.h"
 #include "shoal/clock_command_t.hpp"
 #include "shoal/helm_command_t.hpp"
@@ -51,8 +52,13 @@ struct OrderToClock {
   clock_command_t command{};
 };
 
-using Order =
-    std::variant<OrderToHelms, OrderToSims, MessageOfVehicles, OrderToBroker, OrderToClock>;
+/// An [[order]] of the mission, or several of one name.
+struct OrderByName {
+  std::vector<OrderToHelms> orders;
+};
+
+using Order = std::variant<OrderToHelms, OrderToSims, MessageOfVehicles, OrderToBroker,
+                           OrderToClock, OrderByName>;
 
 /// The mission that orders are for.
 struct OrderScope {
@@ -60,11 +66,13 @@ struct OrderScope {
   std::vector<std::string> vehicles;
   int64_t mission_id = 0;  ///< Of the clock that answers; 0: any.
   std::map<std::string, std::vector<std::string>> groups = {};  ///< Members by group.
-  bool is_playback = false;  ///< Of a recording: it takes orders to its clock alone.
+  bool is_playback = false;             ///< Of a recording: it takes orders to its clock alone.
+  std::vector<OrderWords> orders = {};  ///< Those of the mission.
 };
 
 /// Returns what target and words ask for, or what is wrong with them. A target is a vehicle, "all",
-/// "group:NAME", a rule of the broker, or "clock"; a vehicle's name wins over a rule.
+/// "group:NAME", a rule of the broker, "clock", or, without words, an order of the mission; a
+/// vehicle's name wins over a rule.
 [[nodiscard]] Result<Order> ParseOrder(const OrderScope& scope, std::string_view target,
                                        std::span<const std::string> words);
 

@@ -68,6 +68,29 @@ TEST(ParseOrder, SendsToTheMembersOfAGroup) {
   EXPECT_EQ(ErrorOf("group:x", {"return"}), "no group 'x' in berta: none of its vehicles has one");
 }
 
+TEST(ParseOrder, KnowsTheOrdersOfTheMission) {
+  const OrderScope scope = {.mission = "m",
+                            .vehicles = {"alpha", "bravo"},
+                            .orders = {{"patrol", "all", {"set", "PATROL=true"}},
+                                       {"home", "alpha", {"return"}},
+                                       {"patrol", "bravo", {"speed", "1.5"}},
+                                       {"alpha", "bravo", {"park"}}}};
+  const Result<Order> order = ParseOrder(scope, "patrol", {});
+  ASSERT_TRUE(order.ok());
+  const auto& [orders] = std::get<OrderByName>(*order);
+  ASSERT_EQ(orders.size(), 2U);
+  EXPECT_EQ(orders[0].vehicles, (Words{"alpha", "bravo"}));
+  EXPECT_EQ(orders[0].command.argument, "PATROL=true");
+  EXPECT_EQ(orders[1].vehicles, Words{"bravo"});
+  EXPECT_EQ(orders[1].command.values, std::vector<double>{1.5});
+  EXPECT_EQ(TracesOf(*order).size(), 3U);
+  EXPECT_TRUE(std::holds_alternative<OrderToHelms>(*ParseOrder(scope, "alpha", Words{"park"})));
+  EXPECT_EQ(ParseOrder(scope, "patrol", Words{"all"}).error(),
+            "patrol is an [[order]] of m: it takes no more words");
+  EXPECT_NE(ParseOrder(scope, "patrl", {}).error().find("did you mean 'patrol'"),
+            std::string::npos);
+}
+
 TEST(ParseOrder, ExplainsWhatItDoesNotUnderstand) {
   EXPECT_EQ(
       ErrorOf("alhpa", {"return"}).find("no vehicle 'alhpa' in berta (did you mean 'alpha'?)"), 0U);

@@ -136,16 +136,18 @@ bool OrderWatch::IsReady(int64_t now_us) const {
 void OrderWatch::Sent(int64_t now_us, const std::vector<const OrderWatch*>& earlier) {
   sent_us_ = now_us;
   next_request_us_ = now_us;
-  for (Answer& answer : answers_) {
-    for (const OrderWatch* watch : earlier) {
-      for (const Answer& other : watch->answers_) {
-        if (other.outcome == OrderOutcome::kOpen && other.trace.app == answer.trace.app &&
-            other.trace.taken == answer.trace.taken &&
-            other.trace.refused == answer.trace.refused) {
-          ++answer.num_ahead;
-        }
+  for (size_t i = 0; i < answers_.size(); ++i) {
+    Answer& answer = answers_[i];
+    const auto count = [&](const Answer& other) {
+      if (other.outcome == OrderOutcome::kOpen && other.trace.app == answer.trace.app &&
+          other.trace.taken == answer.trace.taken && other.trace.refused == answer.trace.refused) {
+        ++answer.num_ahead;
       }
+    };
+    for (const OrderWatch* watch : earlier) {
+      for (const Answer& other : watch->answers_) count(other);
     }
+    for (size_t k = 0; k < i; ++k) count(answers_[k]);
   }
 }
 

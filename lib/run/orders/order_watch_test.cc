@@ -84,6 +84,21 @@ TEST(OrderWatch, DistinguishesOverlappingOrdersOfOneKind) {
   EXPECT_FALSE(other.IsSettled());
 }
 
+TEST(OrderWatch, DistinguishesOrdersOfOneKindThatAreSentTogether) {
+  Helm helm{.vehicle = "alpha", .log = {}};
+  OrderWatch watch({Trace("alpha", "set"), Trace("alpha", "set")});
+  watch.Due(0);
+  watch.OnPage(helm.Page(), 0);
+  watch.Sent(0, {});
+  helm.Take("set");
+  watch.OnPage(helm.Page(), kSecond_us);
+  EXPECT_EQ(watch.answers()[0].outcome, OrderOutcome::kTaken);
+  EXPECT_EQ(watch.answers()[1].outcome, OrderOutcome::kOpen);
+  helm.Refuse("set needs VARIABLE=value");
+  watch.OnPage(helm.Page(), kSecond_us);
+  EXPECT_EQ(watch.answers()[1].outcome, OrderOutcome::kRefused);
+}
+
 TEST(OrderWatch, JudgesByWarningsWhereMoreHappenedThanAPageLists) {
   Helm helm{.vehicle = "alpha", .log = {}};
   helm.Refuse("goto: all-stop");

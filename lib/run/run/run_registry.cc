@@ -15,7 +15,9 @@
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <string_view>
 
+#include "lib/base/text/blanks.h"
 #include "lib/base/text/numbers.h"
 #include "lib/bus/os/file_bytes.h"
 #include "lib/run/run/run_folder.h"
@@ -102,6 +104,13 @@ std::optional<RunningMission> ReadEntry(const std::string& name) {
       const size_t end =
           std::min(value.find(' '), value.size());  // A group's name may hold blanks.
       mission.groups[value.substr(std::min(end + 1, value.size()))].push_back(value.substr(0, end));
+    }
+    if (key == "order") {
+      const std::vector<std::string_view> parts = TrimmedParts(value, '\t');
+      if (parts.size() < 3) continue;
+      mission.orders.push_back({.name = std::string(parts[0]),
+                                .target = std::string(parts[1]),
+                                .words = {parts.begin() + 2, parts.end()}});
     }
     if (key == "set") mission.overrides.push_back(value);
   }
@@ -207,6 +216,9 @@ Result<bool> Register(const RunningMission& mission) {
   for (const std::string& vehicle : mission.without_helm) add("without_helm", vehicle);
   for (const auto& [group, members] : mission.groups) {
     for (const std::string& member : members) add("member", fmt::format("{} {}", member, group));
+  }
+  for (const OrderWords& order : mission.orders) {
+    add("order", fmt::format("{}\t{}\t{}", order.name, order.target, fmt::join(order.words, "\t")));
   }
   for (const std::string& each : mission.overrides) add("set", each);
   const Result<std::string> written = WriteRunFile(EntryName(mission.port_base), text);

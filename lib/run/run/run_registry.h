@@ -11,6 +11,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/layout.h"
 #include "lib/bus/bus/mission_secret.h"
+#include "lib/mission/model/mission.h"
 
 namespace shoal {
 
@@ -28,6 +29,7 @@ struct RunningMission {
   std::vector<std::string> without_helm = {};  ///< Those of them that have helm = "none".
   std::vector<std::string> overrides = {};     ///< `--set` of the run.
   std::map<std::string, std::vector<std::string>> groups = {};  ///< Members by group.
+  std::vector<OrderWords> orders = {};                          ///< Those of the mission.
 
   PortPlan Ports() const { return PortPlan(port_base, layout, vehicles); }
 };

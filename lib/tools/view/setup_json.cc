@@ -202,6 +202,11 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
   for (const CauseRow& row : kCauseTable) WriteCause(row, &json);
   json.EndArray().Key("rules").BeginArray();
   for (const ControlRow& row : ControlTable()) WriteRule(row, &json);
+  json.EndArray().Key("orders").BeginArray();
+  std::set<std::string_view> orders;
+  for (const NamedOrder& order : mission.orders) {
+    if (orders.insert(order.name).second) json.Text(order.name);
+  }
   json.EndArray().Key("floor").Raw(floor_json).Key("notes").BeginArray();
   for (const std::string& note : facts.notes) json.Text(note);
   json.EndArray().EndObject();
