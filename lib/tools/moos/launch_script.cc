@@ -66,9 +66,11 @@ class LaunchReader {
       if (++num_commands_ > kMaxCommands) return Note(commands[i].line, "is too long a script");
       const std::string& text = commands[i].text;
       const std::string word = FirstShellWord(text);
-      if (word == "if" || word == "for" || word == "while") {
+      const bool is_block =
+          word == "if" || word == "for" || word == "while" || word == "until" || word == "case";
+      if (is_block) {
         i = RunBlock(commands, i, end, word);
-      } else if (word == "until" || word == "case" || word == "select") {
+      } else if (word == "select") {
         Note(commands[i].line, word + " is not read");
         i = ShellBlockEnd(commands, i, end, {}) + 1;
       } else if (word.ends_with("()") || word == "function" || text.find("() {") != text.npos) {
@@ -97,9 +99,10 @@ class LaunchReader {
       return ShellBlockEnd(commands, at, end, {}) + 1;
     }
     ++blocks_;
-    const size_t next = word == "if"    ? RunIf(commands, at, end)
-                        : word == "for" ? RunFor(commands, at, end)
-                                        : RunWhile(commands, at, end);
+    const size_t next = word == "if"     ? RunIf(commands, at, end)
+                        : word == "for"  ? RunFor(commands, at, end)
+                        : word == "case" ? RunCase(commands, at, end)
+                                         : RunWhile(commands, at, end, word == "until");
     --blocks_;
     return next;
   }
@@ -114,7 +117,9 @@ class LaunchReader {
       int depth = 0;
       for (size_t i = part + 1; i < fi; ++i) {
         const std::string word = FirstShellWord(commands[i].text);
-        if (word == "if" || word == "for" || word == "while" || word == "case") ++depth;
+        if (word == "if" || word == "for" || word == "while" || word == "until" || word == "case") {
+          ++depth;
+        }
         if (word == "fi" || word == "done" || word == "esac") --depth;
         if (depth == 0 && (word == "elif" || word == "else")) {
           next = i;
@@ -140,7 +145,62 @@ class LaunchReader {
     return fi + 1;
   }
 
-  size_t RunWhile(const std::vector<ShellCommand>& commands, size_t at, size_t end) {
+  /// `case "$X" in a|b) ... ;; *) ... ;; esac`.
+  size_t RunCase(const std::vector<ShellCommand>& commands, size_t at, size_t end) {
+    const size_t esac = ShellBlockEnd(commands, at, end, {});
+    const ShellWords head = RawShellWords(commands[at].text);
+    if (head.size() < 3 || head[2] != "in") {
+      Note(commands[at].line, "case without in is not read");
+      return esac + 1;
+    }
+    const std::string subject = Join(Expand(head[1], commands[at].line));
+    // The first pattern may stand on the line of the head.
+    std::vector<ShellCommand> parts = {
+        {.line = commands[at].line, .text = Join({head.begin() + 3, head.end()})}};
+    parts.insert(parts.end(), commands.begin() + static_cast<long>(at) + 1,
+                 commands.begin() + static_cast<long>(esac));
+    for (size_t i = 0; i < parts.size(); ++i) {
+      const size_t close = PatternEnd(parts[i].text);
+      if (close == std::string::npos) continue;
+      const bool matches = IsCase(parts[i].text.substr(0, close), subject, parts[i].line);
+      parts[i].text.erase(0, close + 1);
+      size_t last = i;
+      for (int depth = 0; last < parts.size(); ++last) {
+        const std::string word = FirstShellWord(parts[last].text);
+        if (word == "case") ++depth;
+        if (word == "esac") --depth;
+        if (depth == 0 && parts[last].text == ";;") break;
+      }
+      if (matches) {
+        Run(parts, i, last);
+        break;
+      }
+      i = last;
+    }
+    return esac + 1;
+  }
+
+  /// Returns the place of the ')' behind a pattern.
+  static size_t PatternEnd(std::string_view text) {
+    for (size_t i = 0; i < text.size(); i += ShellPartLength(text, i)) {
+      if (text[i] == ')') return i;
+    }
+    return text.npos;
+  }
+
+  bool IsCase(std::string_view patterns, const std::string& subject, int line) {
+    patterns = Trimmed(patterns);
+    if (patterns.starts_with('(')) patterns.remove_prefix(1);
+    while (true) {
+      const size_t bar = std::min(patterns.find('|'), patterns.size());
+      const std::string pattern = Join(Expand(Trimmed(patterns.substr(0, bar)), line));
+      if (MatchesShell(pattern, subject)) return true;
+      if (bar == patterns.size()) return false;
+      patterns.remove_prefix(bar + 1);
+    }
+  }
+
+  size_t RunWhile(const std::vector<ShellCommand>& commands, size_t at, size_t end, bool is_until) {
     constexpr int kMostRounds = 1'000;
     const size_t done = ShellBlockEnd(commands, at, end, {});
     const ShellCommand condition{
@@ -148,7 +208,7 @@ class LaunchReader {
         .text = std::string(Trimmed(std::string_view(commands[at].text).substr(5)))};
     size_t body = at + 1;
     if (body < done && FirstShellWord(commands[body].text) == "do") ++body;
-    for (int round = 0; Test(condition) && !script_.is_ended; ++round) {
+    for (int round = 0; Test(condition) != is_until && !script_.is_ended; ++round) {
       if (num_commands_ > kMaxCommands) break;
       // One that waits for an answer ends the script here.
       const bool asks = std::any_of(
@@ -624,6 +684,8 @@ class LaunchReader {
     } else if (name == "pAntler") {
       if (!words.empty())
         AddFile({.source = words[0], .target = FileName(words[0]), .defines = {}}, true);
+    } else if (name == "uPokeDB") {
+      TakePoke(words, line);
     } else if (name == "sh" || name == "bash" || name == "source" || name == ".") {
       if (!words.empty()) Call(words[0], {words.begin() + 1, words.end()}, line);
     } else if (name.ends_with(".sh")) {
@@ -675,6 +737,27 @@ class LaunchReader {
                                                                 : word.substr(equals + 1));
     }
     AddFile(std::move(file), false);
+  }
+
+  /// `uPokeDB targ_shore.moos DEPLOY_ALL=true SPEED:=1.5`; of several "=" the first counts.
+  void TakePoke(const ShellWords& words, int line) {
+    constexpr size_t kMostPokes = 200;
+    MoosButton poke{.key = "upokedb",
+                    .label = "",
+                    .origins = fmt::format("{}:{}", script_.name, line),
+                    .posts = {}};
+    for (const std::string& word : words) {
+      if (word.starts_with('>') || word == "&") break;
+      if (word.starts_with('-') || word.ends_with(".moos")) continue;
+      const size_t equals = word.find('=');
+      if (equals == word.npos || equals == 0) continue;
+      const bool is_text = word[equals - 1] == ':';
+      if (is_text && word.find(":=", equals + 1) != word.npos) continue;  // It refuses that.
+      poke.posts.emplace_back(word.substr(0, equals - (is_text ? 1 : 0)), word.substr(equals + 1));
+    }
+    if (!poke.posts.empty() && plan_.pokes.size() < kMostPokes) {
+      plan_.pokes.push_back(std::move(poke));
+    }
   }
 
   void AddFile(LaunchFile file, bool is_plain) {

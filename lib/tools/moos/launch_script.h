@@ -3,14 +3,16 @@
 //   LaunchPlan plan = ReadLaunchScript({"launch.sh", text}, find);
 //   for (const LaunchFile& file : plan.files) ...  // meta_vehicle.moos, targ_abe.moos, VNAME=abe
 //
-// Knows of bash: variables, arrays, quotes, $((1 + 2)), ${X:0:3}, ${X#a}, if, for, [ ] and [[ ]],
-// scripts that call others, echo and cat of files; nsplug, pAntler, seq, basename. Any other
-// command is without effect; one that would give a value gives none and is named.
+// Knows of bash: variables, arrays, quotes, $((1 + 2)), ${X:0:3}, ${X#a}, if, for, while, until,
+// case, [ ] and [[ ]], scripts that call others, echo and cat of files; nsplug, pAntler, uPokeDB,
+// seq, basename. Any other command is without effect; one that would give a value gives none and is
+// named.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "lib/tools/moos/import_buttons.h"
 #include "lib/tools/moos/nsplug.h"
 
 namespace shoal {
@@ -24,6 +26,7 @@ struct LaunchFile {
 
 struct LaunchPlan {
   std::vector<LaunchFile> files;
+  std::vector<MoosButton> pokes;   ///< What each line of uPokeDB posts.
   std::vector<std::string> notes;  ///< "launch.sh:12: ...": what could not be read.
 };
 

@@ -48,6 +48,34 @@ TEST(LaunchScript, TakesTheBranchesOfARunWithoutArguments) {
       "a.bhv > b.bhv A=1 B=3\n");
 }
 
+TEST(LaunchScript, TakesTheCaseThatMatches) {
+  const std::string script =
+      "X=$1\ncase \"$X\" in\n  -a|--all) Y=all ;;\n  \"\")\n    case z in y) Y=1;; z) Y=2; Z=3;; "
+      "esac\n"
+      "    ;;\n  *) Y=other ;;\nesac\nnsplug a.moos b.moos Y=$Y Z=$Z\n";
+  EXPECT_EQ(Plan(script), "a.moos > b.moos Y=2 Z=3\n");
+  EXPECT_EQ(Plan("case --all in -a|--a*) Y=1;; *) Y=2;; esac\nnsplug a.moos b.moos Y=$Y\n"),
+            "a.moos > b.moos Y=1\n");
+  EXPECT_EQ(Plan("case x in y) Y=1;; esac\nnsplug a.moos b.moos Y=$Y\n"), "a.moos > b.moos Y=\n");
+}
+
+TEST(LaunchScript, GoesRoundUntilTheConditionHolds) {
+  EXPECT_EQ(Plan("I=0\nuntil [ $I -ge 3 ]; do\nI=$((I+1))\ndone\nnsplug a.moos b.moos I=$I\n"),
+            "a.moos > b.moos I=3\n");
+}
+
+TEST(LaunchScript, TakesWhatItPokes) {
+  const LaunchPlan plan = ReadLaunchScript(
+      {.name = "launch.sh",
+       .text = "V=true\nuPokeDB targ_shore.moos DEPLOY_ALL=$V SPEED:=1.5 PTS=x=1 A:=b:=c &\n"
+               "uPokeDB --host=localhost\n"},
+      {});
+  ASSERT_EQ(plan.pokes.size(), 1U);
+  EXPECT_EQ(plan.pokes[0].origins, "launch.sh:2");
+  EXPECT_EQ(plan.pokes[0].posts, (std::vector<std::pair<std::string, std::string>>{
+                                     {"DEPLOY_ALL", "true"}, {"SPEED", "1.5"}, {"PTS", "x=1"}}));
+}
+
 TEST(LaunchScript, GoesRoundLoopsWithArraysAndSums) {
   EXPECT_EQ(Plan("NAMES=(ida jon)\nPOS=(`cat pos.txt`)\nfor IX in `seq 1 ${#NAMES[@]}`;\ndo\n"
                  " IXX=$(($IX - 1))\n nsplug m.moos targ_${NAMES[$IXX]}.moos P=${POS[$IXX]} "

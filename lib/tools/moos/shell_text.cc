@@ -78,6 +78,10 @@ std::vector<ShellCommand> ShellCommandsOf(std::string_view text) {
       } else {
         end();
       }
+      if (brackets == 0 && text.substr(i).starts_with(";;")) {
+        commands.push_back({.line = line, .text = ";;"});
+        ++i;
+      }
       line += c == '\n' ? 1 : 0;
       ++i;
       continue;

@@ -25,7 +25,8 @@ using ShellWords = std::vector<std::string>;
 /// @pre at < text.size()
 [[nodiscard]] size_t ShellPartLength(std::string_view text, size_t at);
 
-/// Cuts a script into commands; words such as `then` and `do` are commands of their own.
+/// Cuts a script into commands; words such as `then` and `do`, and
+/// the ";;" of a `case`, are commands of their own.
 [[nodiscard]] std::vector<ShellCommand> ShellCommandsOf(std::string_view text);
 
 /// Returns the index of the command that ends the block that begins at `at`, or one of `middle`
