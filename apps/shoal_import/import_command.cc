@@ -15,7 +15,10 @@
 #include <utility>
 
 #include "lib/base/check/result.h"
+#include "lib/mission/file/load.h"
 #include "lib/mission/toml/suggest.h"
+#include "lib/run/command_line/find_program.h"
+#include "lib/run/command_line/tool_commands.h"
 #include "lib/run/moos_text/fields.h"
 #include "lib/tools/moos/bhv_file.h"
 #include "lib/tools/moos/import.h"
@@ -153,6 +156,7 @@ void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<s
           {.source = std::move(*source), .target = file.target, .defines = file.defines});
     }
     if (how->runs.empty()) continue;
+    how->pokes = plan.pokes;
     for (const std::string& note : plan.notes) notes->push_back(note);
     // Behaviors that no line plugs are found by their name.
     files->clear();
@@ -163,6 +167,25 @@ void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<s
 int Fail(const std::string& problem, int code) {
   fmt::print(stderr, "shoal: {}\n", problem);
   return code;
+}
+
+/// Returns "alder.toml" for "missions/alder/", and for "missions/alder.moos".
+std::string OwnName(const std::string& path) {
+  std::filesystem::path named = std::filesystem::path(path).lexically_normal();
+  if (!named.has_filename()) named = named.parent_path();
+  const std::string stem = named.stem().string();
+  return (stem.empty() || stem.starts_with('.') ? "mission" : stem) + ".toml";
+}
+
+/// Checks the mission, and becomes `shoal run FILE --view`.
+int RunMission(const std::string& path) {
+  const LoadedMission loaded = LoadMission(path);
+  for (const std::string& warning : loaded.warnings) fmt::print(stderr, "{}\n", warning);
+  if (!loaded.errors.empty()) return Fail(loaded.errors.front(), kExitUsage);
+  const Result<std::string> shoal = FindBeside("shoal");
+  if (!shoal.ok()) return Fail(shoal.error(), kExitEnvironment);
+  fmt::print("shoal run {} --view\n", path);
+  return BecomeProgram(*shoal, {"run", path, "--view"});
 }
 
 }  // namespace
@@ -179,6 +202,7 @@ int RunImport(const ImportOptions& options) {
     if (!defines.ok()) return Fail("--vehicle: " + defines.error(), kExitUsage);
     how.vehicles.push_back(std::move(*defines));
   }
+  how.deploys = options.runs;
   how.find = [&options](std::string_view name, std::string_view from) {
     return FindIncluded(name, from, options.paths);
   };
@@ -217,23 +241,26 @@ int RunImport(const ImportOptions& options) {
   const MoosImport import = ImportMoos(sources, how);
   for (const std::string& note : notes) fmt::print(stderr, "{}\n", note);
   for (const std::string& warning : import.warnings) fmt::print(stderr, "{}\n", warning);
-  if (options.out_path.empty()) {
+  const std::string out_path =
+      options.out_path.empty() && options.runs ? OwnName(options.files.front()) : options.out_path;
+  if (out_path.empty()) {
     fmt::print("{}", import.mission);
     return kExitOk;
   }
   int code = kExitOk;
-  if (const auto error = WriteNewFile(options.out_path, import.mission, &code)) {
+  if (const auto error = WriteNewFile(out_path, import.mission, &code)) {
     return Fail(error->message, code);
   }
   fmt::print(
       "{}: vehicles: {}, warnings: {}; its comments name every line that has no counterpart\n",
-      options.out_path, import.num_vehicles, import.warnings.size());
-  if (!import.vehicles.empty()) {
-    std::string names;
-    for (const std::string& name : import.vehicles) names += (names.empty() ? "" : ", ") + name;
-    fmt::print("vehicles with behaviors, which `deploy` starts: {}\n", names);
+      out_path, import.num_vehicles, import.warnings.size());
+  for (const VehicleOutlook& outlook : import.outlooks) {
+    fmt::print("{} {}: {}\n", outlook.vehicle,
+               outlook.moves ? "moves after `deploy`" : "stays where it is", outlook.why);
   }
-  fmt::print("next: shoal run {} --view, then shoal send all deploy\n", options.out_path);
+  for (const std::string& loss : import.lost) fmt::print("lost: {}\n", loss);
+  if (options.runs) return RunMission(out_path);
+  fmt::print("next: shoal run {} --view\n      shoal send all deploy\n", out_path);
   return kExitOk;
 }
 

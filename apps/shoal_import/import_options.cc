@@ -29,6 +29,10 @@ void AddImportOptions(Command command, CommandAction* action) {
       .AddOption("--path", &options->paths,
                  "Folders of files that others #include, with : between; may be repeated")
       .Repeatable();
+  command.AddFlag(
+      "--run", &options->runs,
+      "Run it in the viewer, with its vehicles deployed; without --out it is written to "
+      "FOLDER.toml");
   command.Callback([options, action] { *action = [options] { return RunImport(*options); }; });
 }
 

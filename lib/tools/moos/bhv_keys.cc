@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <utility>
 
 #include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
@@ -446,6 +447,24 @@ std::string_view KindOfBhv(std::string_view type) {
     if (has_versions && name.starts_with(stem) && name.size() <= stem.size() + 4) return row.kind;
   }
   return {};
+}
+
+std::optional<std::string_view> NearestKind(std::string_view type) {
+  // Of others' behaviors, as their missions use them.
+  constexpr auto kNearest = std::to_array<std::pair<std::string_view, std::string_view>>({
+      {"simplewaypoint", "waypoint"},
+      {"scout", "waypoint"},
+      {"zigleg", "zigzag"},
+      {"pulse", ""},
+      {"hsline", ""},
+  });
+  constexpr std::string_view kPrefix = "bhv_";
+  std::string name = LowerCase(type.substr(0, 64));
+  if (name.starts_with(kPrefix)) name.erase(0, kPrefix.size());
+  for (const auto& [known, kind] : kNearest) {
+    if (name == known) return kind;
+  }
+  return std::nullopt;
 }
 
 bool IsContactKind(std::string_view kind) { return HasWord(kContactKinds, kind); }

@@ -1,6 +1,7 @@
 // Which behavior of MOOS-IvP is which kind of [[vehicle.behavior]], and which key is which.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,6 +45,10 @@ struct BhvLostKey {
 
 /// Returns the kind for "BHV_AvdColregsV22"; empty: there is none.
 [[nodiscard]] std::string_view KindOfBhv(std::string_view type);
+
+/// Returns the kind that is nearest to a behavior of others that shoal does not have; "" for one
+/// that only draws; nothing for a type that is not known.
+[[nodiscard]] std::optional<std::string_view> NearestKind(std::string_view type);
 
 /// Returns true for kinds about a contact.
 [[nodiscard]] bool IsContactKind(std::string_view kind);

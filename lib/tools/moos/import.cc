@@ -13,14 +13,17 @@
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
+#include "lib/mission/file/load.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/run/moos_text/fields.h"
 #include "lib/tools/moos/bhv_file.h"
-#include "lib/tools/moos/bhv_points.h"
 #include "lib/tools/moos/import_behaviors.h"
 #include "lib/tools/moos/import_buttons.h"
 #include "lib/tools/moos/import_names.h"
+#include "lib/tools/moos/import_obstacles.h"
+#include "lib/tools/moos/import_orders.h"
+#include "lib/tools/moos/import_outlook.h"
 #include "lib/tools/moos/import_settings.h"
 #include "lib/tools/moos/import_timer.h"
 #include "lib/tools/moos/import_vehicle.h"
@@ -85,7 +88,9 @@ class Importer {
     ReadAllButtons();
     for (VehicleImport& vehicle : vehicles_) vehicle.AddTables(&draft);
     for (VehicleImport& vehicle : vehicles_) vehicle.AddEvents();
+    if (options_.deploys) AddDeployment(&draft);
     const double last_event_s = AddTimerEvents(&draft);
+    AddOrders(&draft);
     AddObstacles(&draft);
     draft.AddTable(std::string(kRest), "# What else stands in the files.");
     draft_ = &draft;
@@ -99,13 +104,14 @@ class Importer {
     for (std::string& refused : draft.MakeLoadable()) Warn(std::move(refused));
     const auto is_imported = [](const VehicleImport& vehicle) { return vehicle.is_imported(); };
     const auto num_vehicles = std::count_if(vehicles_.begin(), vehicles_.end(), is_imported);
-    std::vector<std::string> names;
-    for (const VehicleImport& vehicle : vehicles_) {
-      if (vehicle.behaviors().num_behaviors > 0) names.push_back(vehicle.name());
-    }
-    return {.mission = draft.Text(),
+    std::string text = draft.Text();
+    const LoadedMission loaded = LoadMissionText(text, "draft");
+    std::vector<VehicleOutlook> outlooks;
+    if (loaded.errors.empty()) outlooks = OutlooksOf(loaded.mission);
+    return {.mission = std::move(text),
             .warnings = std::move(warnings_),
-            .vehicles = std::move(names),
+            .lost = std::move(lost_),
+            .outlooks = std::move(outlooks),
             .num_vehicles = static_cast<size_t>(num_vehicles)};
   }
 
@@ -153,6 +159,17 @@ class Importer {
   /// Warns once of what a file has for several vehicles.
   void Warn(std::string warning) {
     if (warned_.insert(warning).second) warnings_.push_back(std::move(warning));
+  }
+
+  /// Adds to what is lost, once.
+  void Lose(std::string loss) {
+    if (warned_.insert("lost: " + loss).second) lost_.push_back(std::move(loss));
+  }
+
+  /// An app that shoal has nothing for is lost once, wherever it stands.
+  void LoseApp(const std::string& app, const std::string& origin) {
+    if (!lost_apps_.insert(AppClass(app)).second) return;
+    Lose(fmt::format("{}: app {}: no counterpart in shoal", origin, CleanUtf8(app)));
   }
 
   void Assume(std::string_view table, std::string key, std::string value, std::string reason) {
@@ -237,6 +254,17 @@ class Importer {
     return false;
   }
 
+  /// The mission deploys its vehicles itself, as the user of a viewer does at its start.
+  static void AddDeployment(MissionDraft* draft) {
+    constexpr std::string_view kDeployment = "deployment";
+    draft->AddTable(std::string(kDeployment), "[[event]]");
+    for (const auto& [key, value] : {std::pair<std::string, std::string>("at_s", "0"),
+                                     {"vehicle", TomlString("all")},
+                                     {"command", TomlString("deploy")}}) {
+      draft->Set(kDeployment, {.key = key, .value = value, .origin = "", .text = "", .reason = ""});
+    }
+  }
+
   /// Adds an [[event]] for each event of a script that has a counterpart; the others are kept.
   /// Returns the time of the last.
   double AddTimerEvents(MissionDraft* draft) {
@@ -272,83 +300,9 @@ class Importer {
     return last_s;
   }
 
-  /// Adds what stands still: given_obstacle of pObstacleMgr, KNOWN_OBSTACLE of scripts, and the
-  /// file of uFldObstacleSim.
   void AddObstacles(MissionDraft* draft) {
-    for (const MoosFile& file : files_) {
-      for (const MoosBlock& block : file.blocks) {
-        const std::string app_class = AppClass(block.app);
-        for (const MoosLine& line : block.lines) {
-          const std::string key = LowerCase(line.key);
-          if (app_class == "pobstaclemgr" && key == "given_obstacle") {
-            AddObstacle(line, line.value, draft);
-          } else if (app_class == "ufldobstaclesim" && key == "obstacle_file") {
-            AddObstacleFile(line, file.name, draft);
-          }
-        }
-      }
-    }
-  }
-
-  void AddObstacleFile(const MoosLine& line, const std::string& from, MissionDraft* draft) {
-    const auto source = options_.find == nullptr ? std::nullopt : options_.find(line.value, from);
-    if (!source) {
-      Warn(
-          fmt::format("{}: {}: the file is not there: its obstacles are lost; name its folder with "
-                      "--path",
-                      line.origin, line.text));
-      return;
-    }
-    obstacle_lines_.insert(line.origin);
-    const MoosFile file =
-        ParseMoosFile(Plug({.name = source->name, .text = source->text}, options_.defines, {}));
-    for (const MoosLine& each : file.globals) {
-      if (LowerCase(each.key) == "poly") AddObstacle(each, each.value, draft);
-    }
-  }
-
-  void AddObstacle(const MoosLine& line, const std::string& value, MissionDraft* draft) {
-    constexpr size_t kMostObstacles = 1'000;
-    if (!obstacle_lines_.insert(line.origin).second) return;  // Of several vehicles' files.
-    const auto polygon = ParseBhvPolygon(value);
-    if (!polygon.ok() || polygon->points_m.size() < 3) {
-      Warn(fmt::format("{}: {}: {}: the obstacle is lost", line.origin, line.text,
-                       polygon.ok() ? "fewer than three corners" : polygon.error()));
-      return;
-    }
-    // The same obstacle that each vehicle's manager is given.
-    const std::string corners = TomlPoints(polygon->points_m);
-    if (!obstacles_.insert(corners).second || obstacles_.size() > kMostObstacles) return;
-    std::string id = LabelOf(value);
-    for (char& c : id) {
-      if (!IsNameCharacter(c) && c != '.' && c != '-') c = '_';
-    }
-    if (id.empty()) id = "obstacle";
-    const std::string wanted = id;
-    for (int i = 2; !obstacle_ids_.insert(id).second; ++i) id = fmt::format("{}_{}", wanted, i);
-    const std::string table = "obstacle " + id;
-    draft->AddTable(table, "[[obstacle]]");
-    const auto set = [&](std::string key, std::string written, std::string origin) {
-      draft->Set(table, {.key = std::move(key),
-                         .value = std::move(written),
-                         .origin = std::move(origin),
-                         .text = line.text,
-                         .reason = "",
-                         .is_essential = true});
-    };
-    set("id", TomlString(id), line.origin);
-    set("polygon", corners, "");
-  }
-
-  /// Returns what follows "label=" or "label,".
-  static std::string LabelOf(std::string_view text) {
-    constexpr std::string_view kLabel = "label";
-    const size_t at = text.find(kLabel);
-    if (at == text.npos || at + kLabel.size() >= text.size()) return {};
-    text.remove_prefix(at + kLabel.size());
-    if (text[0] != '=' && text[0] != ',') return {};
-    text.remove_prefix(1);
-    return std::string(Trimmed(text.substr(0, text.find_first_of(",:}")))).substr(0, 60);
+    for (const MoosFile& file : files_) obstacles_.Add(file, draft);
+    for (const std::string& warning : obstacles_.warnings()) Warn(warning);
   }
 
   bool HasVariable(std::string_view name, std::string_view variable) const {
@@ -454,6 +408,7 @@ class Importer {
       vehicles_[i].SetBehaviors(
           ImportBhv(ParseBhvFile(Plug(*source, defines, options_.find)), contacts));
       for (const std::string& warning : vehicles_[i].behaviors().warnings) Warn(warning);
+      for (const std::string& loss : vehicles_[i].behaviors().lost) Lose(loss);
     }
     for (const BhvSource& given : bhv_sources_) {
       if (given.is_used || !given.target.empty()) continue;
@@ -487,6 +442,7 @@ class Importer {
           const MoosButton* deploy = FindDeployButton(buttons, vehicle.name());
           if (deploy == nullptr || (own != nullptr && own != &vehicle)) continue;
           deploy_keys_.insert({&block, deploy->key});
+          KeepStation(*deploy, &vehicle);
           if (deploys_by_script) continue;
           SetButton(*deploy, own != nullptr, &vehicle);
         }
@@ -495,24 +451,21 @@ class Importer {
     }
   }
 
-  /// Returns the variable of a vehicle's behaviors that `posted` sets: itself, or with _ALL or the
-  /// vehicle's name behind it; empty: none.
-  std::string VariableOf(std::string_view posted, bool is_own, const VehicleImport& vehicle) const {
-    std::string name(posted);
-    for (const std::string& suffix :
-         {std::string(), std::string("_ALL"), "_" + UpperCase(vehicle.name())}) {
-      if (!UpperCase(name).ends_with(suffix) || suffix.size() >= name.size()) continue;
-      const std::string variable = name.substr(0, name.size() - suffix.size());
-      if (suffix.empty() && !is_own && vehicles_.size() > 1) continue;
-      if (vehicle.behaviors().variables.contains(variable)) return variable;
+  /// `deploy` leaves STATION_KEEP alone where the button that deploys does.
+  static void KeepStation(const MoosButton& button, VehicleImport* vehicle) {
+    const bool is_set = std::any_of(
+        button.posts.begin(), button.posts.end(),
+        [](const auto& posted) { return UpperCase(posted.first).starts_with("STATION_KEEP"); });
+    if (!is_set && vehicle->behaviors().variables.contains("STATION_KEEP")) {
+      vehicle->KeepStation(button.origins);
     }
-    return {};
   }
 
   void SetButton(const MoosButton& button, bool is_own, VehicleImport* vehicle) {
     std::vector<std::pair<std::string, std::string>> settings;
     for (const auto& [posted, value] : button.posts) {
-      const std::string variable = VariableOf(posted, is_own, *vehicle);
+      const std::string variable =
+          VariableOfPost(posted, is_own || vehicles_.size() == 1, *vehicle);
       // The order `deploy` sets these itself.
       if (variable.empty() || variable == "DEPLOY" ||
           ((variable == "RETURN" || variable == "STATION_KEEP") && LowerCase(value) == "false") ||
@@ -524,55 +477,39 @@ class Importer {
     if (!settings.empty()) vehicle->SetWithDeploy(settings, button.origins);
   }
 
-  /// A button is what `deploy` sets, an order, or a line that states the command for it.
-  std::string ButtonReason(const MoosBlock& block, const MoosLine& line) const {
+  /// Adds an [[order]] for each further button, and for what the launch script pokes.
+  void AddOrders(MissionDraft* draft) {
+    for (size_t i = 0; i < files_.size(); ++i) {
+      for (const MoosBlock& block : files_[i].blocks) {
+        const auto buttons = buttons_.find(&block);
+        if (buttons == buttons_.end()) continue;
+        for (const MoosButton& button : buttons->second) {
+          if (deploy_keys_.contains({&block, button.key})) continue;
+          const std::string name = orders_.Add(button, VehicleOf(i), vehicles_, draft);
+          button_orders_[button.origins] += name.empty() ? "" : "shoal send " + name + "\n";
+        }
+      }
+    }
+    for (const MoosButton& poke : options_.pokes) {
+      const std::string name = orders_.Add(poke, nullptr, vehicles_, draft);
+      if (name.empty()) Lose(poke.origins + ": uPokeDB: it sets nothing that behaviors look at");
+    }
+  }
+
+  /// A button is what `deploy` sets, an order, or without effect.
+  std::string ButtonReason(const MoosBlock& block, const MoosLine& line) {
     const std::string key = LowerCase(line.key);
     if (deploy_keys_.contains({&block, key})) return "shoal send all deploy sets this";
     for (const MoosButton& button : buttons_.at(&block)) {
-      if (button.key != key) continue;
-      std::string commands;
-      const auto add = [&](const std::string& command) {
-        if (commands.find(command) == commands.npos) {
-          commands += (commands.empty() ? "" : "; ") + command;
-        }
-      };
-      for (const auto& [posted, value] : button.posts) {
-        for (const VehicleImport& vehicle : vehicles_) {
-          const std::string variable =
-              VariableOf(posted, VehicleOfBlock(block) != nullptr, vehicle);
-          if (variable.empty() || value.find('$') != value.npos) continue;
-          const bool is_all = posted == variable || UpperCase(posted).ends_with("_ALL");
-          const std::string to = is_all ? "all" : vehicle.name();
-          if (LowerCase(value) == "true" && variable == "RETURN") {
-            add("shoal send " + to + " return");
-          } else if (LowerCase(value) == "true" && variable == "STATION_KEEP") {
-            add("shoal send " + to + " station_keep");
-          } else {
-            add(fmt::format("shoal send {} set {}", to, ShellWord(variable + "=" + value)));
-          }
-        }
-      }
-      return commands.empty() ? "no counterpart in shoal" : commands;
+      if (button.key != key || button.origins.find(line.origin) == button.origins.npos) continue;
+      std::string orders = button_orders_.at(button.origins);
+      if (orders.empty()) break;
+      orders.pop_back();
+      std::replace(orders.begin(), orders.end(), '\n', ',');
+      return "[[order]]: " + orders;
     }
+    Lose(fmt::format("{}: {}: it sets nothing that behaviors look at", line.origin, line.text));
     return "no counterpart in shoal";
-  }
-
-  /// Returns a word of a command line, in quotes where it needs them.
-  static std::string ShellWord(const std::string& word) {
-    const bool is_plain = std::all_of(word.begin(), word.end(), [](char c) {
-      return IsNameCharacter(c) || std::string_view("=.,:-+").find(c) != std::string_view::npos;
-    });
-    return is_plain || word.find('\'') != word.npos ? word : "'" + word + "'";
-  }
-
-  const VehicleImport* VehicleOfBlock(const MoosBlock& block) const {
-    for (size_t i = 0; i < file_of_vehicle_.size(); ++i) {
-      const auto& blocks = files_[file_of_vehicle_[i]].blocks;
-      if (!blocks.empty() && &block >= &blocks.front() && &block <= &blocks.back()) {
-        return &vehicles_[i];
-      }
-    }
-    return nullptr;
   }
 
   /// A vehicle that does nothing stays where it is, and a mission in which nothing happens passes.
@@ -657,13 +594,24 @@ class Importer {
     const bool is_known = app_class == "ufldnodecomms" || app_class == "antler" ||
                           app_class == "utimerscript" ||
                           (vehicle != nullptr && IsVehicleApp(app_class));
+    const bool is_unknown = !is_known && AppCounterpart(app_class).empty();
     if (!is_known) {
-      const std::string_view counterpart = AppCounterpart(app_class);
       draft_->Remark(kRest, block.origin, "ProcessConfig = " + block.app,
-                     counterpart.empty() ? "no counterpart in shoal" : std::string(counterpart));
+                     is_unknown ? "no counterpart in shoal, as all lines of its block"
+                                : std::string(AppCounterpart(app_class)));
     }
+    if (is_unknown) LoseApp(block.app, block.origin);
+    if (app_class == "usimmarine" && vehicle != nullptr) vehicle->SetHasSim();
     for (const MoosLine& line : block.lines) {
       const std::string& origin = line.origin;
+      if (is_unknown) {
+        draft_->Remark(kRest, origin, line.text, "");
+        continue;
+      }
+      if (obstacles_.Has(origin)) {
+        draft_->Remark(kRest, origin, line.text, "[[obstacle]]");
+        continue;
+      }
       if (app_class == "antler") {
         TakeAntlerLine(origin, line);
         continue;
@@ -674,10 +622,6 @@ class Importer {
       }
       if (bridge_lines_.contains(origin)) {
         draft_->Remark(kRest, origin, line.text, "counts where the shore's scripts set variables");
-        continue;
-      }
-      if (obstacle_lines_.contains(origin)) {
-        draft_->Remark(kRest, origin, line.text, "[[obstacle]]");
         continue;
       }
       if (app_class == "pmarineviewer" && IsButton(line.key)) {
@@ -708,6 +652,7 @@ class Importer {
     std::string_view reason = "no counterpart in shoal";
     if (LowerCase(line.key) == "run") {
       const std::string_view counterpart = AppCounterpart(AppOfRun(line.value));
+      if (counterpart.empty()) LoseApp(AppNameOfRun(line.value), origin);
       reason = counterpart.empty() ? "no counterpart in shoal; a program of yours that uses LCM "
                                      "can be a [[participant]]"
                                    : counterpart;
@@ -818,15 +763,17 @@ class Importer {
   std::vector<KeptFactor> factors_;
   std::map<const MoosBlock*, TimerScript> scripts_;
   std::map<const MoosBlock*, std::vector<MoosButton>> buttons_;
+  OrderImport orders_;
+  std::map<std::string, std::string> button_orders_;  ///< Commands, a line each, by origins.
+  std::vector<std::string> lost_;
+  std::set<std::string> lost_apps_;  ///< Their classes.
   std::set<std::pair<const MoosBlock*, std::string>> deploy_keys_;
   std::vector<std::string> warnings_;
   std::set<std::string> warned_;
-  std::set<std::string> obstacle_lines_;  ///< Origins of lines that are obstacles.
   MoosBridges bridges_;
   std::set<std::string> bridge_lines_;
   size_t num_events_ = 0;
-  std::set<std::string> obstacles_;  ///< Their corners.
-  std::set<std::string> obstacle_ids_;
+  ObstacleImport obstacles_{options_.defines, options_.find};
   MissionDraft* draft_ = nullptr;
 };
 

@@ -16,6 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/tools/moos/import_buttons.h"
+#include "lib/tools/moos/import_outlook.h"
 #include "lib/tools/moos/nsplug.h"
 
 namespace shoal {
@@ -34,6 +36,8 @@ struct MoosImportOptions {
   std::vector<MoosDefines> vehicles = {};
   /// Files besides the sources, each as it was plugged for one vehicle or the shore.
   std::vector<MoosRun> runs = {};
+  bool deploys = false;                ///< Adds an [[event]] that deploys all vehicles at once.
+  std::vector<MoosButton> pokes = {};  ///< What a launch script posts by uPokeDB.
   /// Finds included files, and behavior files that are not among the sources; may be empty.
   FindMoosFile find = {};
 };
@@ -48,8 +52,10 @@ struct MoosImport {
   /// lost, a vehicle becomes another, an event of a script is lost. Other lines without a
   /// counterpart are comments only.
   std::vector<std::string> warnings;
-  std::vector<std::string> vehicles;  ///< Names of those with behaviors.
-  size_t num_vehicles = 0;            ///< Described by the sources; the mission has at least one.
+  /// "a.bhv:12: Behavior = BHV_X: ...": what is lost, one line for each behavior, app and button.
+  std::vector<std::string> lost;
+  std::vector<VehicleOutlook> outlooks;  ///< What each vehicle does after `deploy`.
+  size_t num_vehicles = 0;  ///< Described by the sources; the mission has at least one.
 };
 
 /// Converts any text; what cannot be converted becomes a comment.

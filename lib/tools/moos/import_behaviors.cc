@@ -3,16 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <map>
-#include <numbers>
 #include <optional>
 #include <utility>
 
-#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
@@ -21,31 +18,15 @@
 #include "lib/run/moos_text/fields.h"
 #include "lib/run/moos_text/numbers.h"
 #include "lib/tools/moos/bhv_keys.h"
+#include "lib/tools/moos/bhv_leg.h"
 #include "lib/tools/moos/bhv_points.h"
+#include "lib/tools/moos/bhv_text.h"
+#include "lib/tools/moos/contact_templates.h"
 
 namespace shoal {
 namespace {
 
 constexpr size_t kMax = 200;
-
-std::string_view WithoutQuotes(std::string_view text) {
-  text = Trimmed(text);
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-    text = text.substr(1, text.size() - 2);
-  }
-  return text;
-}
-
-/// Returns the parts between separators, without blanks at their ends and without empty ones.
-std::vector<std::string> PartsOf(std::string_view text, std::string_view separators) {
-  std::vector<std::string> parts;
-  while (!text.empty()) {
-    const size_t end = std::min(text.find_first_of(separators), text.size());
-    if (!Trimmed(text.substr(0, end)).empty()) parts.emplace_back(Trimmed(text.substr(0, end)));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return parts;
-}
 
 std::string TomlTexts(const std::vector<std::string>& texts) {
   std::string list;
@@ -53,25 +34,6 @@ std::string TomlTexts(const std::vector<std::string>& texts) {
     list += (list.empty() ? "" : ", ") + TomlString(text);
   }
   return "[" + list + "]";
-}
-
-/// Returns the words that may be variables.
-void CollectVariables(std::string_view text, std::set<std::string, std::less<>>* variables) {
-  while (!text.empty()) {
-    const auto begin = std::find_if(text.begin(), text.end(), IsNameCharacter);
-    const auto end = std::find_if_not(begin, text.end(), IsNameCharacter);
-    if (begin != end) variables->emplace(begin, end);
-    text = std::string_view(end, text.end());
-  }
-}
-
-/// In MOOS-IvP a comma of a condition stands for '='.
-std::string ConditionText(std::string_view text) {
-  std::string condition(WithoutQuotes(text));
-  const bool has_relation = condition.find_first_of("=<>") != condition.npos;
-  const size_t comma = condition.find(',');
-  if (!has_relation && comma != condition.npos) condition.replace(comma, 1, " =");
-  return condition;
 }
 
 /// A setting for several lines, or for one.
@@ -125,6 +87,8 @@ class BlockImporter {
       // One line for the behavior, none for its other keys.
       import_.warnings.resize(num_warnings);
       import_.warnings.push_back(refusal_);
+      import_.lost.push_back(
+          fmt::format("{}: Behavior = {}: {}", block_.origin, block_.type, refusal_));
     } else {
       ++import_.num_behaviors;
     }
@@ -134,7 +98,11 @@ class BlockImporter {
  private:
   void Unknown() {
     const std::string text = "Behavior = " + block_.type;
-    const std::string reason = "no kind of behavior in shoal";
+    const std::optional<std::string_view> nearest = NearestKind(block_.type);
+    const bool draws_only = nearest && nearest->empty();
+    std::string reason = "no kind of behavior in shoal";
+    if (draws_only) reason = "draws only: nothing is lost";
+    if (nearest && !draws_only) reason += fmt::format("; the nearest is {}", *nearest);
     table_.header = "# " + block_.origin + ": a behavior that is left out.";
     table_.lines.push_back(
         {.key = "", .value = "", .origin = block_.origin, .text = text, .reason = reason});
@@ -145,7 +113,10 @@ class BlockImporter {
                               .text = line.text,
                               .reason = "its behavior is left out"});
     }
-    import_.warnings.push_back(fmt::format("{}: {}: {}", block_.origin, text, reason));
+    if (!draws_only) {
+      import_.warnings.push_back(fmt::format("{}: {}: {}", block_.origin, text, reason));
+      import_.lost.push_back(import_.warnings.back());
+    }
     import_.tables.push_back(std::move(table_));
   }
 
@@ -495,7 +466,7 @@ class BlockImporter {
     std::string remark;
     if (!points->assumed.empty()) remark = "Assumed: " + points->assumed + ".";
     if (row.value == BhvValue::kPoint) {
-      if (kind_ == "leg_run") leg_m_[row.key == "p1" ? 0 : 1] = points->points_m.front();
+      if (kind_ == "leg_run") leg_.SetEnd(row.key == "p1" ? 0 : 1, points->points_m.front());
       return Set(std::string(row.key), TomlPoint(points->points_m.front()), line, row.is_essential,
                  std::move(remark));
     }
@@ -529,68 +500,12 @@ class BlockImporter {
 
   /// Keys of a leg that move both of its ends. Returns false for any other.
   bool TakeLeg(const MoosLine& line, const std::string& key, std::string_view value) {
-    const bool is_whole = key == "leg";
-    const bool is_number =
-        key == "leg_len" || key == "leg_len_mod" || key == "leg_ang" || key == "leg_ang_mod";
-    if (!is_whole && !is_number && key != "shift_pt") return false;
-    Eigen::Vector2d center_m = Eigen::Vector2d::Zero();
-    double length_m = 0;
-    double angle_rad = 0;  // Clockwise from North.
-    if (leg_m_[0] && leg_m_[1]) {
-      const Eigen::Vector2d vector_m = *leg_m_[1] - *leg_m_[0];
-      center_m = (*leg_m_[0] + *leg_m_[1]) / 2;
-      length_m = vector_m.norm();
-      angle_rad = Atan2(vector_m.x(), vector_m.y());
-    } else if (!is_whole) {
-      return Refuse(line, "stands before p1 and p2"), true;
-    }
-    constexpr double kRadPerDegree = std::numbers::pi / 180;
-    if (is_whole) {
-      const auto leg = LegOf(value);
-      if (!leg) return Refuse(line, "not x=1,y=2,ang=90,len=80", true), true;
-      center_m = {(*leg)[0], (*leg)[1]};
-      angle_rad = (*leg)[2] * kRadPerDegree;
-      length_m = (*leg)[3];
-    } else if (is_number) {
-      const auto number = NumberIn(value);
-      if (!number) return Refuse(line, "not a number"), true;
-      if (key == "leg_len") length_m = *number;
-      if (key == "leg_len_mod") length_m += *number;
-      if (key == "leg_ang") angle_rad = *number * kRadPerDegree;
-      if (key == "leg_ang_mod") angle_rad += *number * kRadPerDegree;
-    } else {
-      const auto point = ParseBhvPoint(value);
-      if (!point.ok()) return Refuse(line, point.error()), true;
-      center_m = point->points_m.front();
-    }
-    if (!(length_m > 0)) return Refuse(line, "a leg must be longer than 0 m"), true;
-    const Eigen::Vector2d half_m = Eigen::Vector2d(Sin(angle_rad), Cos(angle_rad)) * (length_m / 2);
-    leg_m_ = {center_m - half_m, center_m + half_m};
-    for (size_t i = 0; i < leg_m_.size(); ++i) {
-      Eigen::Vector2d& end_m = *leg_m_[i];
-      end_m = (end_m * 1e6).array().round() / 1e6 + 0.0;
-      Set(i == 0 ? "p1" : "p2", TomlPoint(end_m), line, true);
-    }
+    if (!BhvLeg::IsKey(key)) return false;
+    const std::string problem = leg_.Take(key, value);
+    if (!problem.empty()) return Refuse(line, problem, key == "leg"), true;
+    Set("p1", TomlPoint(leg_.end_m(0)), line, true);
+    Set("p2", TomlPoint(leg_.end_m(1)), line, true);
     return true;
-  }
-
-  /// Returns x, y, ang and len.
-  static std::optional<std::array<double, 4>> LegOf(std::string_view text) {
-    constexpr std::array<std::string_view, 4> kKeys = {"x", "y", "ang", "len"};
-    std::array<double, 4> leg{};
-    const bool is_named = text.find('=') != text.npos;
-    const std::vector<std::string> parts = PartsOf(text, is_named ? "," : ":");
-    if (parts.size() != leg.size()) return std::nullopt;
-    for (size_t i = 0; i < parts.size(); ++i) {
-      const std::string_view part = parts[i];
-      const size_t equals = part.find('=');
-      const auto at = std::find(kKeys.begin(), kKeys.end(), Trimmed(part.substr(0, equals)));
-      if (is_named && (equals == part.npos || at == kKeys.end())) return std::nullopt;
-      const auto number = NumberIn(is_named ? part.substr(equals + 1) : part);
-      if (!number) return std::nullopt;
-      leg[is_named ? static_cast<size_t>(at - kKeys.begin()) : i] = *number;
-    }
-    return leg;
   }
 
   const BhvBlock& block_;
@@ -600,7 +515,7 @@ class BlockImporter {
   std::vector<std::string> order_;
   std::map<std::string, Gathered> gathered_;
   std::vector<Eigen::Vector2d> polygon_m_;
-  std::array<std::optional<Eigen::Vector2d>, 2> leg_m_;
+  BhvLeg leg_;
   std::optional<double> center_x_m_;
   std::optional<double> center_y_m_;
   bool is_template_ = false;
@@ -696,66 +611,6 @@ std::vector<Item> Bounded(std::vector<Item> items, std::string_view what, BhvImp
   return items;
 }
 
-/// Replaces $[CONTACT] by a name.
-std::string WithContact(std::string text, const std::string& contact) {
-  constexpr std::string_view kMacro = "$[CONTACT]";
-  for (size_t at = text.find(kMacro); at != text.npos; at = text.find(kMacro, at)) {
-    text.replace(at, kMacro.size(), contact);
-    at += contact.size();
-  }
-  return text;
-}
-
-/// True for a template whose behaviors shoal does not spawn as MOOS-IvP does: with a condition
-/// about the contact, or with alerts for a kind that is spawned by updates alone.
-bool NeedsOneForEach(const BhvBlock& block) {
-  const std::string_view kind = KindOfBhv(block.type);
-  if (!IsContactKind(kind)) return false;
-  bool is_template = false;
-  bool needs = false;
-  for (const MoosLine& line : block.lines) {
-    const std::string key = LowerCase(line.key.substr(0, 64));
-    const std::string word = LowerCase(WithoutQuotes(line.value).substr(0, 16));
-    if (key == "templating") is_template = word == "spawn";
-    if (key == "condition" && line.value.find("$[CONTACT]") != line.value.npos) needs = true;
-    const bool has_alerts = kind == "avoid_collision" || kind == "colregs";
-    if (key == "no_alert_request" && word == "false" && !has_alerts) needs = true;
-  }
-  return is_template && needs;
-}
-
-/// Returns a template as one behavior for each contact, instead of one that is spawned.
-std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::string>& contacts) {
-  std::vector<BhvBlock> blocks;
-  for (const std::string& contact : contacts) {
-    BhvBlock one = block;
-    one.lines.clear();
-    bool has_contact = false;
-    for (MoosLine line : block.lines) {
-      const std::string key = LowerCase(line.key.substr(0, 64));
-      if (key == "max_spawnings") continue;
-      if (key == "templating") line.value = "disallowed";
-      const bool is_contact = key == "contact" || key == "them";
-      has_contact = has_contact || is_contact;
-      if (key == "name" || key == "descriptor") line.value += contact;
-      line.value = is_contact ? contact : WithContact(line.value, contact);
-      line.text = line.key + " = " + line.value;
-      one.lines.push_back(std::move(line));
-    }
-    for (const auto& [key, value] :
-         {std::pair<std::string, std::string>("contact", contact), {"on_no_contact_ok", "true"}}) {
-      if (key == "contact" && has_contact) continue;
-      one.lines.push_back({.number = 0,
-                           .origin = block.origin,
-                           .text = key + " = " + value,
-                           .key = key,
-                           .value = value});
-    }
-    blocks.push_back(std::move(one));
-  }
-  return blocks;
-}
-
 }  // namespace
 
 BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contacts) {
@@ -767,6 +622,7 @@ BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contac
   BhvTable variables = ImportVariables(file, &import);
   for (const BhvMode& mode : file.modes) ImportMode(mode, &import);
   for (const BhvBlock& block : file.behaviors) {
+    CollectVariablesOfContacts(block, contacts, &import.variables);
     if (!NeedsOneForEach(block)) {
       BlockImporter(block, &import).Run();
       continue;
@@ -777,6 +633,7 @@ BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contac
         fmt::format("{}: Behavior = {}: is left out: it is about contacts, and the mission has no "
                     "other vehicle",
                     block.origin, block.type));
+    import.lost.push_back(import.warnings.back());
   }
   AddOrderVariables(import, &variables);
   if (!variables.lines.empty()) import.tables.insert(import.tables.begin(), std::move(variables));
@@ -787,6 +644,7 @@ BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contac
     if (line.is_loss) {
       import.warnings.push_back(
           fmt::format("{}: {} {}", line.origin, Quoted(line.text), line.reason));
+      import.lost.push_back(import.warnings.back());
     }
   }
   if (!odd.lines.empty()) import.tables.push_back(std::move(odd));

@@ -21,6 +21,7 @@ struct BhvTable {
 struct BhvImport {
   std::vector<BhvTable> tables;
   std::vector<std::string> warnings;  ///< "a.bhv:12: TEXT: REASON".
+  std::vector<std::string> lost;      ///< The same for each behavior and block that is left out.
   /// What conditions, updates and initialize lines name: a setting of another variable has no
   /// effect. In the letters of the file.
   std::set<std::string, std::less<>> variables;
@@ -29,8 +30,8 @@ struct BhvImport {
 };
 
 /// Converts any file. At most 200 behaviors, modes and variables each; more are comments.
-/// `contacts`: the other vehicles; a template with $[CONTACT] in a condition, or of a kind that
-/// shoal does not spawn by alerts and that asks for them, becomes one behavior for each.
+/// `contacts`: the other vehicles; a template of a kind that shoal does not spawn by alerts and
+/// that asks for them becomes one behavior for each.
 [[nodiscard]] BhvImport ImportBhv(const BhvFile& file,
                                   const std::vector<std::string>& contacts = {});
 

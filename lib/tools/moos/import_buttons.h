@@ -22,9 +22,14 @@ struct MoosButton {
 
 /// Returns the buttons of a block of pMarineViewer, in the order of the file. Lines of one key are
 /// one button; a part without '=' is its label; color is not posted.
+/// Menu entries are buttons too, with the key "action": `action = menu_key=X # A=1 # B=2` is one,
+/// `action = A=1 # B=2` one for each setting.
 [[nodiscard]] std::vector<MoosButton> ReadButtons(const MoosBlock& block);
 
-/// Returns true for "button_one" and "button_1", in any case.
+/// Adds what stands between '#' of a button's line, or is a word of uPokeDB's, to the button.
+void ReadPosts(std::string_view text, MoosButton* button);
+
+/// Returns true for "button_one", "button_1" and "action", in any case.
 [[nodiscard]] bool IsButton(std::string_view key);
 
 /// Returns the button that starts a vehicle: it posts DEPLOY (or DEPLOY_ALL, DEPLOY_ABE of abe) =

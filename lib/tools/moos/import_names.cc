@@ -23,10 +23,11 @@ bool IsUnderwaterType(std::string_view platform_type) {
   return type == "uuv" || type == "auv" || type == "glider";
 }
 
-std::string AppOfRun(std::string_view value) {
-  const std::string_view app = value.substr(0, value.find_first_of(" \t@~"));
-  return AppClass(app);
+std::string AppNameOfRun(std::string_view value) {
+  return std::string(value.substr(0, value.find_first_of(" \t@~")));
 }
+
+std::string AppOfRun(std::string_view value) { return AppClass(AppNameOfRun(value)); }
 
 bool DescribesVehicle(const MoosFile& file) {
   for (const MoosBlock& block : file.blocks) {

@@ -16,6 +16,9 @@ namespace shoal {
 /// True for types of vehicles that dive, as pNodeReporter knows them.
 [[nodiscard]] bool IsUnderwaterType(std::string_view platform_type);
 
+/// Returns "uXMS" of ANTLER's `Run = uXMS @ NewConsole = true ~ name`.
+[[nodiscard]] std::string AppNameOfRun(std::string_view value);
+
 /// Returns the class of the app that ANTLER's `Run = uXMS @ NewConsole = true ~ name` starts.
 [[nodiscard]] std::string AppOfRun(std::string_view value);
 

@@ -97,6 +97,17 @@ constexpr std::array kApps = std::to_array<Counterpart>({
     {"utimerscript", "its events that have a counterpart are an [[event]] each"},
     {"upokedb", "shoal send"},
     {"uxms", "shoal status, shoal log cat"},
+    {"pmarineviewer", "shoal run --view; its buttons are an [[order]] each"},
+    {"prealm", "shoal status"},
+    {"uloadwatch", "shoal status clock: shoal does not fall behind, it runs slower"},
+    {"utermcommand", "shoal send"},
+    {"pautopoke", "shoal send, or an [[event]]"},
+    {"pmissioneval", "[[expect]]"},
+    {"pmissionhash", "each log has its mission file"},
+    {"umayfinish", "duration_s in [mission]"},
+    {"ufldcollisiondetect", "collisions in [mission]"},
+    {"ufldobstaclesim", "its obstacles are an [[obstacle]] each"},
+    {"pnodereporterparse", "not needed: reports are no text"},
     {"umac", "shoal status"},
 });
 

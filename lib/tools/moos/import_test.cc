@@ -504,14 +504,38 @@ TEST(ImportMoos, TakesTheButtonOfTheVehicleWhereEachHasItsOwn) {
   EXPECT_EQ(import.mission.find("PATROL = false"), std::string::npos);
 }
 
-TEST(ImportMoos, StatesTheCommandForEveryOtherButton) {
-  const MoosImport import = WithButtons("",
-                                        "button_one = DEPLOY # DEPLOY_ALL=true\n"
-                                        "button_two = BACK # PATROL_ALL=false\n"
-                                        "button_six = FREE # PATROL_ZOE=a b\n");
-  EXPECT_NE(import.mission.find("PATROL_ALL=false: shoal send all set PATROL=false\n"),
-            std::string::npos);
-  EXPECT_NE(import.mission.find("PATROL_ZOE=a b: no counterpart in shoal\n"), std::string::npos);
+TEST(ImportMoos, LosesAnAppOnceAndABehaviorOnce) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos",
+       .text = "Community = ida\nProcessConfig = ANTLER\n{\nRun = myApp @ X = 1 ~ b\n}\n"
+               "ProcessConfig = pHelmIvP\n{\n}\nProcessConfig = myApp\n{\na = 1\nb = 2\n}\n"},
+      {.name = "ida.bhv",
+       .text = "Behavior = BHV_SimpleWaypoint\n{\nname = w\nptx = 1\n}\n"
+               "Behavior = BHV_HSLine\n{\nname = d\n}\n"
+               "Behavior = BHV_Waypoint\n{\nname = v\nspeed = 1\npoints = none\n}\n"}});
+  const std::string nearest =
+      "ida.bhv:1: Behavior = BHV_SimpleWaypoint: no kind of behavior in shoal; the nearest is "
+      "waypoint";
+  ASSERT_EQ(import.lost.size(), 3U);
+  EXPECT_EQ(import.lost[0], nearest);
+  EXPECT_TRUE(import.lost[1].starts_with("ida.bhv:10: Behavior = BHV_Waypoint: ida.bhv:14: points"))
+      << import.lost[1];
+  EXPECT_EQ(import.lost[2], "ida.moos:4: app myApp: no counterpart in shoal");
+  EXPECT_EQ(import.warnings.front(), nearest);
+  EXPECT_NE(import.mission.find("BHV_HSLine: draws only: nothing is lost"), std::string::npos);
+  ASSERT_EQ(import.outlooks.size(), 1U);
+  EXPECT_EQ(import.outlooks[0].why, "it has no behaviors");
+}
+
+TEST(ImportMoos, DeploysByAnEventWhereItIsToldTo) {
+  const std::vector<MoosSource> sources = {
+      {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},
+      {.name = "ida.bhv", .text = std::string(kWaypointBhv)}};
+  EXPECT_EQ(Loaded(ImportMoos(sources)).mission.events.size(), 0U);
+  const Mission mission = Loaded(ImportMoos(sources, {.deploys = true})).mission;
+  ASSERT_EQ(mission.events.size(), 1U);
+  EXPECT_EQ(std::get<CommandEvent>(mission.events[0].what),
+            (CommandEvent{.vehicle = "all", .command = "deploy", .argument = "", .values = {}}));
 }
 
 TEST(ImportMoos, DoesNotDeployAVehicleThatOnlyStartsInDrive) {
@@ -591,23 +615,39 @@ TEST(ImportMoos, HasOneWarningForABehaviorThatIsLostAndForABlockWithoutAHead) {
       << import.warnings[2];
 }
 
+TEST(ImportMoos, KeepsAConditionAboutTheContactOfATemplate) {
+  const auto import_of = [](std::vector<MoosDefines> vehicles) {
+    return ImportMoos(
+        std::vector<MoosSource>{
+            {.name = "v.moos", .text = std::string(kHelmMoos)},
+            {.name = "v.bhv",
+             .text =
+                 "Behavior = BHV_Trail\n{\nname = follow_\ntemplating = spawn\n"
+                 "condition = MARKED_$[CONTACT] = true\nupdates = C\ncontact = to-be-set\n}\n"}},
+        {.defines = {}, .vehicles = std::move(vehicles), .find = {}});
+  };
+  const MoosImport import = import_of({{{"VNAME", "ida"}}});
+  const shoal::Vehicle ida = Loaded(import).mission.vehicles.at(0);
+  ASSERT_EQ(ida.behaviors.size(), 1U);
+  EXPECT_EQ(ida.behaviors[0].name, "follow_");
+  EXPECT_EQ(ida.behaviors[0].templating, Templating::kSpawn);
+  EXPECT_EQ(ida.behaviors[0].condition, std::vector<std::string>{"MARKED_$[CONTACT] = true"});
+}
+
 TEST(ImportMoos, MakesATemplateAboutContactsOneBehaviorForEachOtherVehicle) {
   const MoosImport import = ImportMoos(
       std::vector<MoosSource>{
           {.name = "v.moos", .text = std::string(kHelmMoos)},
           {.name = "v.bhv",
-           .text = "Behavior = BHV_Trail\n{\nname = follow_\ntemplating = spawn\n"
-                   "condition = MARKED_$[CONTACT] = true\nupdates = C\ncontact = to-be-set\n}\n"
-                   "Behavior = BHV_Trail\n{\nname = near_\ntemplating = spawn\nupdates = C\n"
-                   "no_alert_request = false\n}\n"}},
+           .text = "Behavior = BHV_Trail\n{\nname = near_\ntemplating = spawn\nupdates = C\n"
+                   "condition = MARKED_$[CONTACT] = true\nno_alert_request = false\n}\n"}},
       {.defines = {}, .vehicles = {{{"VNAME", "ida"}}, {{"VNAME", "jon"}}}, .find = {}});
   EXPECT_EQ(import.warnings, std::vector<std::string>{});
   const shoal::Vehicle ida = Loaded(import).mission.vehicles.at(0);
-  ASSERT_EQ(ida.behaviors.size(), 2U);
-  EXPECT_EQ(ida.behaviors[0].name, "follow_jon");
+  ASSERT_EQ(ida.behaviors.size(), 1U);
+  EXPECT_EQ(ida.behaviors[0].name, "near_jon");
   EXPECT_EQ(ida.behaviors[0].condition, (std::vector<std::string>{"MARKED_jon = true"}));
   EXPECT_EQ(std::get<TrailOptions>(ida.behaviors[0].what).contact.contact, "jon");
-  EXPECT_EQ(ida.behaviors[1].name, "near_jon");
 }
 
 TEST(ImportMoos, LimitsNoRangeWherePShareTakesReportsFromVehicleToVehicle) {
@@ -626,6 +666,41 @@ TEST(ImportMoos, LimitsNoRangeWherePShareTakesReportsFromVehicleToVehicle) {
   };
   EXPECT_TRUE(range(""));
   EXPECT_FALSE(range("ProcessConfig = uFldNodeComms\n{\n}\n"));
+}
+
+TEST(ImportMoos, MakesAnObstacleOfWhatAScriptMakesKnown) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "s.moos",
+       .text = "Community = shore\nProcessConfig = uTimerScript\n{\n"
+               "event = var=KNOWN_OBSTACLE_ALL, val=\"pts={0,0:9,0:9,9},label=rock\", time=5\n"
+               "event = var=GIVEN_OBSTACLE, val=pts={20,0:29,0:29,9},label=reef, time=5\n"
+               "event = var=KNOWN_OBSTACLE, val=nothing, time=5\n}\n"}});
+  const Mission mission = Loaded(import).mission;
+  ASSERT_EQ(mission.obstacles.size(), 2U);
+  EXPECT_EQ(mission.obstacles[0].id, "rock");
+  EXPECT_EQ(mission.obstacles[1].id, "reef");
+  EXPECT_EQ(mission.obstacles[1].polygon_m.size(), 3U);
+  EXPECT_TRUE(Warns(import, "s.moos:6: event = var=KNOWN_OBSTACLE, val=nothing"));
+  EXPECT_FALSE(Warns(import, "s.moos:4:"));
+}
+
+TEST(ImportMoos, WritesTheDefaultsOfUSimMarine) {
+  const auto craft = [](const std::string& lines) {
+    const MoosImport import = ImportMoos(std::vector<MoosSource>{
+        {.name = "v.moos",
+         .text = "Community = ida\nProcessConfig = uSimMarineV22\n{\n" + lines + "}\n"}});
+    return std::get<SurfaceCraftParams>(Loaded(import).mission.vehicles.at(0).model);
+  };
+  const SurfaceCraftParams plain = craft("");
+  EXPECT_EQ(plain.turn_speed_loss, 0.85);
+  EXPECT_EQ(plain.turn_rate_degps, 70);
+  EXPECT_EQ(plain.full_turn_speed_mps, 5);
+  EXPECT_EQ(plain.max_acceleration_mps2, 100);
+  EXPECT_EQ(plain.max_deceleration_mps2, 0.5);
+  EXPECT_EQ(plain.max_rudder_rate_degps, 100'000);
+  const SurfaceCraftParams given = craft("turn_spd_loss = 0.5\nmax_deceleration = 0\n");
+  EXPECT_EQ(given.turn_speed_loss, 0.5);
+  EXPECT_EQ(given.max_deceleration_mps2, 100);
 }
 
 TEST(ImportMoos, AccountsForEveryLine) {

@@ -19,6 +19,9 @@
 namespace shoal {
 namespace {
 
+/// More than a step can use.
+constexpr char kNoAcceleration_mps2[] = "100";
+constexpr char kNoRudderRate_degps[] = "100000";
 constexpr std::string_view kOwnMotion = "the Remus 100 has motion and autopilots of its own";
 constexpr std::array<std::string_view, 5> kStartOrder = {"x", "y", "heading", "speed", "depth"};
 
@@ -159,6 +162,14 @@ void VehicleImport::AddTables(MissionDraft* draft) {
   draft->AddTable(TableOf(SettingPlace::kAutopilot), "[vehicle.autopilot]");
   draft->AddTable(TableOf(SettingPlace::kReporter), "[vehicle.reporter]");
   draft->AddTable(TableOf(SettingPlace::kHelm), "[vehicle.helm_options]");
+  if (!station_origins_.empty()) {
+    draft->Set(TableOf(SettingPlace::kHelm),
+               {.key = "deploy_keeps",
+                .value = "[\"STATION_KEEP\"]",
+                .origin = station_origins_,
+                .text = "",
+                .reason = "The button that deploys does not set it."});
+  }
   draft->AddTable(id_ + ".domain", "[vehicle.domain]");
   for (size_t i = 0; i < behaviors_.tables.size(); ++i) {
     const std::string table = fmt::format("{}.behaviors{}", id_, i);
@@ -203,6 +214,7 @@ bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
   const bool is_thrust = is_sim && (key == "thrust_map" || key == "thrust_factor");
   const bool is_drift = is_sim && (key == "drift_x" || key == "drift_y" || key == "drift_vector");
   const bool is_speed = is_sim && key == "max_speed";
+  if (is_sim && TakeNoLimit(key, origin, line)) return true;
   const bool is_domain = app_class == "phelmivp" && key == "domain";
   if (is_domain) return TakeDomain(origin, line);
   const bool is_extra = app_class == "pnodereporter" && key == "platform_aspect";
@@ -445,19 +457,51 @@ void VehicleImport::SetGathered(const std::string& table, std::string key,
                       .reason = ""});
 }
 
+/// A limit of 0 is none there.
+bool VehicleImport::TakeNoLimit(std::string_view key, const std::string& origin,
+                                const MoosLine& line) {
+  const bool is_rudder = key == "max_rudder_degs_per_sec";
+  const std::string limit = is_rudder                   ? "max_rudder_rate_degps"
+                            : key == "max_acceleration" ? "max_acceleration_mps2"
+                            : key == "max_deceleration" ? "max_deceleration_mps2"
+                                                        : "";
+  if (limit.empty() || is_underwater_ || NumberIn(line.value) != 0.0) return false;
+  draft_->Set(TableOf(SettingPlace::kCraft),
+              {.key = limit,
+               .value = is_rudder ? kNoRudderRate_degps : kNoAcceleration_mps2,
+               .origin = origin,
+               .text = line.text,
+               .reason = "0 is no limit there."});
+  return true;
+}
+
+void VehicleImport::SetSimDefaults() {
+  const std::string craft = TableOf(SettingPlace::kCraft);
+  const auto set = [&](const char* key, const char* value, const char* reason) {
+    if (draft_->IsSet(craft, key)) return;
+    draft_->Set(craft, {.key = key, .value = value, .origin = "", .text = "", .reason = reason});
+  };
+  if (has_sim_ && !is_underwater_) {
+    constexpr char kAsThere[] = "As uSimMarine has it where it is not given.";
+    set("turn_rate_degps", "70", kAsThere);
+    set("turn_speed_loss", "0.85", kAsThere);
+    set("max_deceleration_mps2", "0.5", kAsThere);
+    set("max_acceleration_mps2", kNoAcceleration_mps2,
+        "uSimMarine has no limit where it is not given.");
+    set("max_rudder_rate_degps", kNoRudderRate_degps,
+        "uSimMarine has no limit where it is not given.");
+  }
+  if (draft_->IsSet(craft, "turn_rate_degps")) {
+    set("full_turn_speed_mps", "5",
+        "Assumed: as uSimMarine turns at 50 % thrust; there the thrust counts too.");
+  }
+}
+
 void VehicleImport::Finish() {
   SetGathered(id_, "start", start_);
   SetThrustMap();
   SetGathered(TableOf(SettingPlace::kReporter), "extra", extra_);
-  const std::string craft = TableOf(SettingPlace::kCraft);
-  if (draft_->IsSet(craft, "turn_rate_degps")) {
-    draft_->Set(craft, {.key = "full_turn_speed_mps",
-                        .value = "5",
-                        .origin = "",
-                        .text = "",
-                        .reason = "Assumed: as uSimMarine turns at 50 % thrust; there the thrust "
-                                  "counts too."});
-  }
+  SetSimDefaults();
   if (drift_.origins.empty()) return;
   const std::string table = id_ + ".drift";
   const auto set = [&](std::string key, std::string value, bool names_lines) {

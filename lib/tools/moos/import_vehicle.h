@@ -46,6 +46,9 @@ class VehicleImport {
   void SetWithDeploy(const std::vector<std::pair<std::string, std::string>>& settings,
                      const std::string& origins);
 
+  /// `deploy` leaves its variable STATION_KEEP alone, as the mission's own button does.
+  void KeepStation(std::string origins) { station_origins_ = std::move(origins); }
+
   /// Adds the tables of the vehicle, with its name.
   /// @pre called once, before what follows; `draft` outlives this.
   void AddTables(MissionDraft* draft);
@@ -57,6 +60,9 @@ class VehicleImport {
   /// node reports. Returns false for any other.
   bool Take(std::string_view app_class, const std::string& origin, const MoosLine& line,
             std::vector<std::string>* warnings);
+
+  /// Its file has a block of uSimMarine, whose defaults are not those of shoal.
+  void SetHasSim() { has_sim_ = true; }
 
   /// Writes what Take() gathered.
   void Finish();
@@ -94,6 +100,8 @@ class VehicleImport {
   void ReplaceThrust(const std::string& origin, const MoosLine& line);
   void LimitThrustMap();
   void SetThrustMap();
+  void SetSimDefaults();
+  bool TakeNoLimit(std::string_view key, const std::string& origin, const MoosLine& line);
   void SetGathered(const std::string& table, std::string key, const Gathered& gathered);
 
   std::string id_;
@@ -110,7 +118,9 @@ class VehicleImport {
   std::map<double, double> thrust_map_;  ///< Speeds by thrust in per cent.
   Gathered thrust_;                      ///< Its lines.
   std::optional<double> max_speed_mps_;
-  Gathered limit_;  ///< Its line.
+  Gathered limit_;               ///< Its line.
+  bool has_sim_ = false;         ///< Its file has a block of uSimMarine.
+  std::string station_origins_;  ///< Of the button that deploys and leaves STATION_KEEP alone.
 };
 
 }  // namespace shoal
