@@ -501,7 +501,9 @@ class Importer {
     const std::string key = LowerCase(line.key);
     if (deploy_keys_.contains({&block, key})) return "shoal send all deploy sets this";
     for (const MoosButton& button : buttons_.at(&block)) {
-      if (button.key != key || button.origins.find(line.origin) == button.origins.npos) continue;
+      if ((button.key != key && key != "action+") ||
+          button.origins.find(line.origin) == button.origins.npos)
+        continue;
       std::string orders = button_orders_.at(button.origins);
       if (orders.empty()) break;
       orders.pop_back();

@@ -10,7 +10,7 @@ namespace shoal {
 
 bool IsButton(std::string_view key) {
   const std::string word = LowerCase(key.substr(0, 16));
-  return word.starts_with("button_") || word == "action";
+  return word.starts_with("button_") || word == "action" || word == "action+";
 }
 
 void ReadPosts(std::string_view text, MoosButton* button) {
@@ -38,7 +38,15 @@ std::vector<MoosButton> ReadButtons(const MoosBlock& block) {
   std::vector<MoosButton> buttons;
   for (const MoosLine& line : block.lines) {
     if (!IsButton(line.key)) continue;
-    const std::string key = LowerCase(line.key);
+    std::string key = LowerCase(line.key);
+    // "action+" adds to the entry before it.
+    const bool adds = key == "action+" && !buttons.empty() && buttons.back().key == "action";
+    if (adds) {
+      buttons.back().origins += ", " + line.origin;
+      ReadPosts(line.value, &buttons.back());
+      continue;
+    }
+    if (key == "action+") key = "action";
     const bool is_action = key == "action";
     auto button = std::find_if(buttons.begin(), buttons.end(), [&](const MoosButton& each) {
       return each.key == key && !is_action;

@@ -23,7 +23,7 @@ struct MoosButton {
 /// Returns the buttons of a block of pMarineViewer, in the order of the file. Lines of one key are
 /// one button; a part without '=' is its label; color is not posted.
 /// Menu entries are buttons too, with the key "action": `action = menu_key=X # A=1 # B=2` is one,
-/// `action = A=1 # B=2` one for each setting.
+/// to which `action+ = C=3` adds, `action = A=1 # B=2` one for each setting.
 [[nodiscard]] std::vector<MoosButton> ReadButtons(const MoosBlock& block);
 
 /// Adds what stands between '#' of a button's line, or is a word of uPokeDB's, to the button.

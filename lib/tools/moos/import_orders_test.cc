@@ -58,8 +58,8 @@ TEST(ImportedOrders, AreTheFurtherButtons) {
 
 TEST(ImportedOrders, AreMenuEntriesAndPokes) {
   const MoosImport import = WithButtons(
-      "action = PATROL_ALL=true # PATROL_ALL=false\naction = menu_key=both # PATROL_IDA=1 # "
-      "RETURN_IDA=true\n",
+      "action = PATROL_ALL=true # PATROL_ALL=false\naction = menu_key=both # PATROL_IDA=1\n"
+      "action+ = RETURN_IDA=true\n",
       {{.key = "upokedb", .label = "", .origins = "launch.sh:9", .posts = {{"PATROL_JON", "x"}}}});
   EXPECT_EQ(OrdersOf(import), (Orders{{"patrol_all_true", "all", {"set", "PATROL=true"}},
                                       {"patrol_all_false", "all", {"set", "PATROL=false"}},

@@ -107,7 +107,14 @@ constexpr std::array kApps = std::to_array<Counterpart>({
     {"umayfinish", "duration_s in [mission]"},
     {"ufldcollisiondetect", "collisions in [mission]"},
     {"ufldobstaclesim", "its obstacles are an [[obstacle]] each"},
-    {"pnodereporterparse", "not needed: reports are no text"},
+    {"ufldcollobdetect", "collisions in [mission]"},
+    {"pbasiccontactmgr", "part of helm: contacts come from the node reports that it receives"},
+    {"pmoosbridge", "not needed: see --layout of shoal run"},
+    {"umemwatch", "shoal status"},
+    {"umacview", "shoal status"},
+    {"ufldscope", "shoal status, shoal log cat"},
+    {"uquerydb", "[[expect]]"},
+    {"isay", "not needed: sound only"},
     {"umac", "shoal status"},
 });
 
