@@ -599,7 +599,11 @@ class MissionDraw {
       vehicle.recovery.of(SwarmField::kReporterPos) = {RecoveryStrategy::kSentinel,
                                                        RecoveryStrategy::kSkipField};
     }
-    vehicle.helm_options = {Positive(3600), Coin(), Positive(3600), Number(0.01, 60), Coin()};
+    vehicle.helm_options = {.nav_timeout_s = Positive(3600),
+                            .deploy_at_start = Coin(),
+                            .state_interval_s = Positive(3600),
+                            .decide_every_s = Number(0.01, 60),
+                            .goals_mandatory = Coin()};
     constexpr Ending kOfAllModels[] = {Ending::kHold, Ending::kGoOn, Ending::kLoiter,
                                        Ending::kEndMission};
     if (Coin()) vehicle.helm_options.end_of_tasks = kOfAllModels[Integer(0, 3)];
