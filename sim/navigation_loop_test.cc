@@ -73,9 +73,9 @@ TEST(NavigationLoop, IsCarriedOffByACurrentThatItDoesNotKnow) {
 }
 
 TEST(NavigationLoop, ComesUpForFixesAndGoesOn) {
-  const Seen seen = SeenAfter({{.name = "fix", .what = SurfaceForFixTask{.fixes = 5}}, kLeg}, 200);
+  const Seen seen = SeenAfter({{.name = "fix", .what = SurfaceForFixTask{.fixes = 40}}, kLeg}, 200);
   EXPECT_LT(seen.highest_m, 0.3);
-  EXPECT_GE(seen.navigation.num_gps, 5);
+  EXPECT_GE(seen.navigation.num_gps, 40);
   EXPECT_EQ(seen.task, "leg");
   EXPECT_GT(seen.nav.z_m, 5) << "it has gone down again";
   // The fixes show the current, too.

@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "apps/shoal_log/log_arguments.h"
 #include "apps/shoal_log/log_comms.h"
 #include "apps/shoal_log/log_encounters.h"
 #include "apps/shoal_log/log_helm.h"
@@ -15,6 +14,7 @@
 #include "lib/bus/record/log_commands.h"
 #include "lib/run/command_line/tool_commands.h"
 #include "lib/run/moos_text/alog.h"
+#include "lib/run/run/log_arguments.h"
 
 namespace shoal {
 

@@ -3,10 +3,10 @@
 #include <iostream>
 #include <memory>
 
-#include "apps/shoal_log/log_arguments.h"
 #include "lib/base/check/result.h"
 #include "lib/bus/record/log_commands.h"
 #include "lib/run/command_line/tool_commands.h"
+#include "lib/run/run/log_arguments.h"
 #include "lib/tools/mcap/log_mcap.h"
 #include "lib/tools/sqlite/log_sqlite.h"
 

@@ -64,6 +64,7 @@ void DescribeCommon(Fields& fields, BehaviorOptions& options) {
   fields.CalledElsewhere("pwt", "priority");
   fields.CalledElsewhere("pwt", "weight");
   TextsOrOne(fields, "condition", options.condition, kMaxFlags);
+  CheckConditions(fields, options);
   DescribeFlags(fields, options.flags);
   DescribeDuration(fields, options);
   fields.Flag("perpetual", options.perpetual);
@@ -111,7 +112,6 @@ void Describe(Fields& fields, BehaviorOptions& options) {
   }
   fields.SmallInteger("max_spawnings", options.max_spawnings, 1, 1'000'000);
   DescribeKindOf(fields, options);
-  CheckConditions(fields, options);
 }
 
 }  // namespace shoal

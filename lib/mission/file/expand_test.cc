@@ -327,7 +327,7 @@ TEST(Overrides, ComeAfterTheErrorsOfTheFileInTheirOwnOrder) {
             "--set a=1: unknown key 'a'; known here: mission, environment, comms, acoustics, "
             "medium, obstacle, beacon, "
             "template, vehicle, "
-            "fleet, swarm, netsim, event, participant, host, expect\n"
+            "fleet, swarm, netsim, event, order, participant, host, expect\n"
             "--set mission.seed=x: seed must be a whole number, or \"random\", not 'x'\n");
 }
 

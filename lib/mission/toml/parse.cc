@@ -14,6 +14,7 @@
 
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
+#include "lib/base/text/terminal_text.h"
 
 namespace shoal {
 namespace {
@@ -144,7 +145,7 @@ std::string WhyNotToml(std::string_view description, std::string_view line, int6
         kTypographic, [&](std::string_view quote) { return value.starts_with(quote); });
     if (is_typographic) return "quotes around a text are straight ones: \" or '";
   }
-  return std::string(description);
+  return TerminalLine(description);  // It may quote what the file has there.
 }
 
 /// Parses on the stack of the calling thread.

@@ -130,7 +130,8 @@ uint32_t CommsLogBuilder::TruthPlaceOf(const std::string& channel) {
   return found->second;
 }
 
-/// The message's own time, of those whose sender writes the step's there.
+/// The message's own time: the step's, of what the broker publishes; of reports the position's,
+/// which is a step earlier, or as early as its reporter likes.
 std::optional<int64_t> CommsLogBuilder::UtimeOf(const CommsLogItem& item) const {
   if (item.channel == ReportChannel()) {
     if (const auto report = DecodeItem<node_report_t>(log_, item)) return report->utime;
@@ -142,7 +143,17 @@ std::optional<int64_t> CommsLogBuilder::UtimeOf(const CommsLogItem& item) const 
   return std::nullopt;
 }
 
+/// The time of the message's step, by what the broker publishes; of a log without any by reports,
+/// which makes all times a step too early where these are of today's node_reporter.
+std::optional<int64_t> CommsLogBuilder::StepUtimeOf(const CommsLogItem& item) const {
+  if (has_words_of_broker_ && item.channel < NumBrokerInputs()) return std::nullopt;
+  return UtimeOf(item);
+}
+
 CommsLog CommsLogBuilder::Build(std::optional<int64_t> tick_us) {
+  has_words_of_broker_ = std::ranges::any_of(items_, [](const CommsLogItem& item) {
+    return item.channel == FatesChannel() || item.channel == RulesChannel();
+  });
   log_.time = KindOfTime();
   TakeTick(tick_us);
   if (log_.time == LogTime::kSeals) {
@@ -205,14 +216,21 @@ LogTime CommsLogBuilder::KindOfTime() const {
   int64_t num_sealed = 0;
   Count published_by_broker;
   Count published_by_others;
+  std::optional<int64_t> report_age_us;
   for (const CommsLogItem& item : items_) {
     if (item.publisher != 0) ++num_sealed;
-    Count& count = item.channel < NumBrokerInputs() ? published_by_others : published_by_broker;
+    const bool is_of_broker = item.channel >= NumBrokerInputs();
+    Count& count = is_of_broker ? published_by_broker : published_by_others;
     if (count.all == kEnough) continue;
     const auto utime = UtimeOf(item);
     if (!utime) continue;
     ++count.all;
-    if (*utime == item.utime) ++count.on_time;
+    // Reports of a mission are all as old as one another; a wall clock is never so exact.
+    const int64_t age_us = item.utime - *utime;
+    if (!is_of_broker && !report_age_us && (age_us == 0 || IsPossibleTick(age_us))) {
+      report_age_us = age_us;
+    }
+    if (age_us == (is_of_broker ? 0 : report_age_us.value_or(0))) ++count.on_time;
   }
   if (2 * num_sealed > static_cast<int64_t>(items_.size())) return LogTime::kSeals;
   // Reports may have been made long before they were published; the broker's messages have its
@@ -241,7 +259,7 @@ void CommsLogBuilder::TakeTick(std::optional<int64_t> tick_us) {
   if (log_.time != LogTime::kSeals) return;
   std::optional<std::pair<int64_t, int64_t>> first;  // Step and time.
   for (const CommsLogItem& item : items_) {
-    const auto utime = UtimeOf(item);
+    const auto utime = StepUtimeOf(item);
     if (!utime || item.publisher == 0 || *utime < -kLatest_us || *utime > kLatest_us) continue;
     if (!first) first = {item.step, *utime};
     int64_t num_steps = 0;
@@ -268,7 +286,7 @@ void CommsLogBuilder::RestoreSteps() {
   int64_t zero_utime = 0;  // Of step 0.
   for (const CommsLogItem& item : items_) {
     if (item.publisher == 0 || item.mission_id != mission_id) continue;
-    const auto utime = UtimeOf(item);
+    const auto utime = StepUtimeOf(item);
     if (!utime || item.step == std::numeric_limits<int64_t>::min()) continue;
     const auto zero = StepsLater(*utime, -item.step, log_.tick_us);
     if (!zero) continue;

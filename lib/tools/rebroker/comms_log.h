@@ -143,6 +143,7 @@ class CommsLogBuilder {
 
  private:
   std::optional<int64_t> UtimeOf(const CommsLogItem& item) const;
+  std::optional<int64_t> StepUtimeOf(const CommsLogItem& item) const;
   uint32_t TruthPlaceOf(const std::string& channel);
   LogTime KindOfTime() const;
   void TakeTick(std::optional<int64_t> tick_us);
@@ -152,6 +153,7 @@ class CommsLogBuilder {
 
   CommsLog log_;
   std::vector<CommsLogItem> items_;
+  bool has_words_of_broker_ = false;
   std::map<std::string, uint32_t, std::less<>> publishers_;
   std::map<std::string, uint32_t, std::less<>> truth_places_;  ///< Into truth_channels.
   std::optional<int64_t> previous_utime_;  ///< Of the event before, in the same log.

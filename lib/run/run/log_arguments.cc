@@ -1,4 +1,4 @@
-#include "apps/shoal_log/log_arguments.h"
+#include "lib/run/run/log_arguments.h"
 
 namespace shoal {
 
