@@ -105,14 +105,14 @@ export class TopBar {
     for (const [name, box] of this.boxes) box.checked = Boolean(layers[name]);
   }
 
-  /** @param recorded  its playing and speed, or null */
   /** How much of a long log has been read, 0 to 1; its begin is shown meanwhile. */
   showIndexing(share) {
-    const bar = find('indexing');
+    const bar = document.getElementById('indexing');
     bar.hidden = !Number.isFinite(share);
     if (!bar.hidden) bar.value = share;
   }
 
+  /** @param recorded  its playing and speed, or null */
   frame(t, clock, recorded) {
     const of = this.length_s > 0 ? ` / ${missionTime(this.length_s, 0)}` : '';
     setText(this.clock, missionTime(t) + of);
