@@ -150,7 +150,7 @@ Diagnosis DiagnoseSpy(const DoctorFacts& facts) {
     diagnosis.text = fmt::format("lcm-spy: missing {}; missions run without", missing);
   } else if (!facts.has_display) {
     diagnosis.health = Health::kWarn;
-    diagnosis.text = "lcm-spy: installed, but there is no screen (DISPLAY is not set)";
+    diagnosis.text = "lcm-spy: installed, but no screen found (DISPLAY is not set)";
     diagnosis.remedies = {"ssh -X THIS_MACHINE"};
   } else {
     diagnosis.text = fmt::format("lcm-spy: installed; {}/scripts/spy starts it", facts.source_dir);

@@ -52,7 +52,7 @@ Result<std::vector<std::string>> SpyCommand(const SpyPlace& place, const SpyOpti
                                             const std::string& url) {
   if (place.java.empty()) {
     return Error{
-        fmt::format("there is no Java. This installs all that lcm-spy needs:\n  {}", kInstall)};
+        fmt::format("no Java found. This installs all that lcm-spy needs:\n  {}", kInstall)};
   }
   std::vector<std::string> jars = {std::string(kJavaFolder) + "lcm.jar",
                                    std::string(kJavaFolder) + "jchart2d.jar"};
@@ -79,13 +79,13 @@ Result<std::vector<std::string>> SpyCommand(const SpyPlace& place, const SpyOpti
   }
   jars.push_back(*types);
   for (const std::string& jar : options.types) {
-    if (!place.exists(jar)) return Error{fmt::format("--types {}: there is no such file", jar)};
+    if (!place.exists(jar)) return Error{fmt::format("--types {}: no such file", jar)};
     jars.push_back(jar);
   }
   if (!place.class_path.empty()) jars.push_back(place.class_path);
   if (!place.has_screen) {
     return Error{
-        "there is no screen (DISPLAY is not set). Over ssh, use ssh -X. Without any:\n"
+        "no screen found (DISPLAY is not set). Over ssh, use ssh -X. Without any:\n"
         "  Xvfb :97 -screen 0 1280x800x24 & DISPLAY=:97 shoal spy"};
   }
   // Debian's own lcm-spy passes -Xincgc, which no Java since 10 accepts.

@@ -140,8 +140,8 @@ Result<ChosenEncounter> ChooseEncounter(const EncounterChoice& choice) {
     words = fmt::format("imazu {}", choice.number);
   } else if (choice.set == "overtaking") {
     if (choice.number < 1 || choice.number > kNumOvertakingCases) {
-      return Error{fmt::format("there is no case {} of overtaking: they are 1 to {}", choice.number,
-                               kNumOvertakingCases)};
+      return Error{fmt::format("overtaking: case {} does not exist; the cases are 1 to {}",
+                               choice.number, kNumOvertakingCases)};
     }
     chosen.scenario = OvertakingCase(choice.number, choice.mission.scale);
     words = fmt::format("overtaking {}", choice.number);

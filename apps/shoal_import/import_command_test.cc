@@ -214,7 +214,7 @@ TEST_F(Import, MakesThemMeetWhereTheyDoNotAvoidEachOther) {
   ImportOptions options = AvoidExample(toml);
   options.defines = {"AVOIDANCE=none"};
   ASSERT_EQ(RunImport(options), kExitOk);
-  EXPECT_LT(TracksOf(toml).closest_m, 10);
+  EXPECT_LT(TracksOf(toml).closest_m, 5);
 }
 
 TEST_F(Import, MakesTheExampleOfTheDocumentationRun) {

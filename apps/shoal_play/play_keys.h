@@ -26,7 +26,7 @@ struct PlayKey {
 /// Returns what the bytes of a terminal stand for; other keys stand for nothing.
 [[nodiscard]] std::vector<PlayKey> KeysOf(std::string_view bytes);
 
-/// Reads keys as they are pressed, while it lives; nothing where standard input is no terminal.
+/// Reads keys as they are pressed, while it lives; none where standard input is not a terminal.
 class Keyboard {
  public:
   Keyboard();

@@ -34,7 +34,7 @@ struct PlaybackCounts {
 
 class PlaybackApp : public App {
  public:
-  /// `log` and `answers` must outlive this, `answers` nullptr: there is no second log. What stands
+  /// `log` and `answers` must outlive this, `answers` may be null: no second log. What stands
   /// in the log from where it is at now is played.
   PlaybackApp(PlaybackLog* log, const ChannelChoice& channels, int64_t tick_us, LogWriter* answers,
               Bus& bus);

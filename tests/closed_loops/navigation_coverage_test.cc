@@ -140,10 +140,10 @@ TEST(NavigationCoverage, TheEllipseHoldsTheTruthOfTheVehicleInEachPhaseOfTheMiss
   const int num_seeds = asked == nullptr ? 40 : std::max(1, std::atoi(asked));
   std::array<Tally, kWays.size()> tallies;
   for (int seed = 1; seed <= num_seeds; ++seed) RunSeed(static_cast<uint64_t>(seed), &tallies);
-  // 91.5 to 98.5 % of many seeds; the shares of 40 scatter by 3 %, since one vehicle's errors are
-  // alike.
-  const double least = asked == nullptr ? 0.86 : 0.915;
-  const double greatest = asked == nullptr ? 1 : 0.985;
+  // The shares of 40 seeds scatter by 3 %, since one vehicle's errors are alike. Of 300 seeds two
+  // of the 15 shares miss what is asked here, by 0.1 and 0.4 % (docs/navigation.md).
+  const double least = asked == nullptr ? 0.86 : 0.92;
+  const double greatest = asked == nullptr ? 1 : 0.98;
   for (size_t i = 0; i < kWays.size(); ++i) {
     std::string line = fmt::format("{:10}", kWays[i].name);
     for (int phase = 0; phase < kNumPhases; ++phase) {
