@@ -121,15 +121,21 @@ std::vector<AcousticTraffic::Refusal> AcousticTraffic::Send(int64_t utime, Shipm
 
   Node& node = nodes_[static_cast<size_t>(*source)];
   const double sent_s = SecondsOf(SentUtime(utime));
+  LaunchWaiting(sent_s);  // Live, steps are longer than a tick: others were due before.
   if (!queues_ || (node.waiting.empty() && node.free_s <= sent_s)) {
     Launch(sent_s, *source, std::move(shipment));
     return refusals;
   }
   num_waiting_legs_ += static_cast<int64_t>(shipment.legs.size());
-  // Of one vehicle's reports only the newest waits, at the place of the one before.
+  // Of one vehicle's reports only the newest waits, at the place of the one before, unless a
+  // receiver of that one would get neither.
   const auto older = std::ranges::find_if(node.waiting, [&](const Shipment& each) {
     return shipment.kind == Kind::kReport && each.kind == Kind::kReport &&
-           each.provenance.origin == shipment.provenance.origin;
+           each.channel == shipment.channel &&
+           each.provenance.origin == shipment.provenance.origin &&
+           each.provenance.number < shipment.provenance.number &&
+           std::ranges::includes(shipment.legs, each.legs, {}, &ShipmentLeg::node,
+                                 &ShipmentLeg::node);
   });
   if (older != node.waiting.end()) {
     thrown_away_.push_back(std::exchange(*older, std::move(shipment)));
@@ -244,7 +250,7 @@ std::optional<int64_t> AcousticTraffic::NextUtime() const {
   if (const std::optional<int> next = NextToLaunch()) {
     next_s = std::min(next_s, nodes_[static_cast<size_t>(*next)].free_s);
   }
-  if (!thrown_away_.empty()) return delivered_utime_;
+  if (!thrown_away_.empty()) return delivered_utime_.value_or(epoch_utime_);
   // A microsecond earlier: this is rounded, and the network's times are too.
   return UtimeOf(next_s) - 1;
 }

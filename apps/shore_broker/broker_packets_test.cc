@@ -149,6 +149,24 @@ TEST_F(CalmPackets, ThatOverlapAtTheirReceiverCollideAndNameEachOther) {
   EXPECT_TRUE(packets_["charlie"].empty());
 }
 
+TEST_F(CalmPackets, LeaveInTheirOrderWhereAStepIsLongerThanATick) {
+  // A live broker steps when something comes: what waits in one modem is due before another sends.
+  Begin();
+  SendPacket("alpha", Bytes(20));
+  SendPacket("alpha", Bytes(20));
+  Step();
+  SendPacket("bravo", Bytes(20));
+  Step(20 * kStep_us);
+  Texts fates = Fates();
+  for (int i = 0; i < 50; ++i) {
+    Step();
+    for (const std::string& fate : Fates()) fates.push_back(fate);
+  }
+  EXPECT_FALSE(PageHas("In Transit"));
+  EXPECT_EQ(fates,
+            (Texts{"alpha>bravo delivered", "alpha>bravo delivered", "bravo>alpha delivered"}));
+}
+
 TEST_F(CalmPackets, WithoutSenderOrPayloadAreRefused) {
   Begin();
   SendPacket("alpha", {});

@@ -96,9 +96,9 @@ class Delivery {
   /// Publishes it as it was sent, on the receiver's channel.
   void Deliver(const ShipmentLeg& leg, const Shipment& shipment);
   void Conclude(int64_t utime, const LegEnd& end, Cause cause);
-  /// Hands what the vehicle has received to its gateway, where it is one that forwards such.
   /// Returns the gateway at the end of the leg, where it forwards what came by it; else nullptr.
   const GatewayOptions* ForwarderOf(const LegEnd& arrival) const;
+  /// Hands what the vehicle has received to its gateway, where it is one that forwards such.
   void HandToGateway(int64_t utime, const LegEnd& arrival);
   /// Publishes what arrived damaged as its receiver understands it. False: it makes no sense to it.
   bool DeliverDamaged(int64_t utime, const LegEnd& arrival);
