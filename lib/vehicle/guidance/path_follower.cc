@@ -41,7 +41,7 @@ PathGuidance PathFollower::Update(const Eigen::Vector3d& position_m, double dt_s
 
   const bool holds = params_.end == PathEnd::kHold || params_.end == PathEnd::kReturnToFirst;
   if (progress_.ended && holds) {
-    Hold(position_m, &guidance);
+    Hold(position_m, dt_s, &guidance);
   } else if (!surfaced_) {
     held_psi_rad_ = Steer(leg, guidance.y_e_m, dt_s);
   }
@@ -87,14 +87,14 @@ void PathFollower::Glide(const PathLeg& leg, const Eigen::Vector3d& position_m,
   guidance->slope = x_m < 0 || x_m > abeam.length_m ? 0 : SlopeOf(abeam);
 }
 
-void PathFollower::Hold(const Eigen::Vector3d& position_m, PathGuidance* guidance) {
+void PathFollower::Hold(const Eigen::Vector3d& position_m, double dt_s, PathGuidance* guidance) {
   const Eigen::Vector3d last_m = Plausible(params_.path.points_m.back());
   const Eigen::Vector3d way_m = last_m - Plausible(position_m);
   const double distance_m = way_m.head<2>().norm();
   const bool is_near = distance_m <= params_.waypoint_switch.acceptance_radius_m;
   if (distance_m > params_.hold_radius_m) goes_back_ = true;
   if (is_near) goes_back_ = false;
-  const bool is_off_depth = depth_band_.IsLeft(way_m.z());
+  const bool is_off_depth = depth_band_.IsLeft(-way_m.z(), dt_s);
   const bool is_under_way = goes_back_ || is_off_depth;
   // Close to the point it only changes its depth, straight on.
   if (is_under_way && !is_near) held_psi_rad_ = WrapPi(Atan2(way_m.y(), way_m.x()));

@@ -66,7 +66,7 @@ class PathFollower {
  private:
   double Steer(const PathLeg& leg, double y_e_m, double dt_s);
   void Glide(const PathLeg& leg, const Eigen::Vector3d& position_m, PathGuidance* guidance) const;
-  void Hold(const Eigen::Vector3d& position_m, PathGuidance* guidance);
+  void Hold(const Eigen::Vector3d& position_m, double dt_s, PathGuidance* guidance);
   void Surface(const Eigen::Vector3d& position_m, PathGuidance* guidance);
 
   PathFollowParams params_;

@@ -137,12 +137,14 @@ void LoiterRunner::Rejoin(const Fix& fix) {
 
 StationKeepRunner::StationKeepRunner(const StationKeepTask& task, const Fix& start)
     : task_(task),
+      stopwatch_(start.time_s),
       point_m_(task.here ? start.position_m : task.point_m),
       heading_rad_(start.heading_rad),
       has_place_(!task.stops_first || !task.here) {}
 
 Guidance StationKeepRunner::Update(const Fix& fix) {
-  const bool is_off_depth = task_.z_m && depth_band_.IsLeft(fix.z_m - *task_.z_m);
+  const double dt_s = stopwatch_.Lap(fix.time_s);
+  const bool is_off_depth = task_.z_m && depth_band_.IsLeft(fix.z_m - *task_.z_m, dt_s);
   if (!has_place_) {
     point_m_ = fix.position_m;
     has_place_ = fix.speed_mps < kAtRest_mps || is_off_depth;

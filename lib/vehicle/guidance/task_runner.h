@@ -111,6 +111,7 @@ class StationKeepRunner {
 
  private:
   StationKeepTask task_;
+  Stopwatch stopwatch_;
   Eigen::Vector2d point_m_;
   double heading_rad_;  ///< Kept while it changes its depth close to the point.
   bool has_place_;
