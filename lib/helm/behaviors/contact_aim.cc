@@ -32,8 +32,8 @@ const ContactView* KnownContact(const ContactOptions& options, const BehaviorInp
 
 bool IsAboveOrBelow(const ContactOptions& options, const BehaviorInputs& inputs,
                     const ContactView& contact) {
-  return options.vertical_separation >= 0 &&
-         std::abs(inputs.own.depth_m - contact.depth_m) > options.vertical_separation;
+  return options.vertical_separation > 0 &&
+         std::abs(inputs.own.depth_m - contact.depth_m) >= options.vertical_separation;
 }
 
 double RelevanceAt(double range_m, double inner_m, double outer_m, std::string_view grade) {

@@ -250,8 +250,11 @@ TEST(ImminentDanger, CountsEightTimesInEveryRole) {
 
 TEST(VerticalSeparation, LeavesContactsFarAboveOrBelowAlone) {
   TestMeeting meeting(kNorthbound, Southbound(0, 50));
-  for (const auto& [own_m, contact_m, is_avoided] :
-       {std::tuple(0.0, 20.0, false), {20.0, 0.0, false}, {0.0, 10.0, true}, {25.0, 20.0, true}}) {
+  for (const auto& [own_m, contact_m, is_avoided] : {std::tuple(0.0, 20.0, false),
+                                                     {20.0, 0.0, false},
+                                                     {0.0, 10.0, false},
+                                                     {0.0, 9.9, true},
+                                                     {25.0, 20.0, true}}) {
     meeting.vessel.own.depth_m = own_m;
     meeting.contact().depth_m = contact_m;
     ColregsBehavior colregs({.contact = kBravo});

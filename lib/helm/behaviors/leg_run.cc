@@ -95,6 +95,7 @@ void LegRunBehavior::PassMiddle(const Eigen::Vector2d& position_m, BehaviorAnswe
 BehaviorAnswer LegRunBehavior::Idle(const BehaviorInputs&) {
   if (part_ == Part::kDone) *this = LegRunBehavior(options_);
   capture_.reset();
+  diversion_.Forget();
   return {};
 }
 

@@ -20,6 +20,8 @@ class Diversion {
  public:
   /// `avoids`: it has a contact to keep clear of. It is over within `lead_m` of the leg.
   void Look(bool avoids, const Leg& leg, const Eigen::Vector2d& position_m, double lead_m);
+  /// The leg is another, or the vessel was taken elsewhere.
+  void Forget() { is_on_ = false; }
   [[nodiscard]] bool is_on() const { return is_on_; }
 
  private:

@@ -117,6 +117,7 @@ void WaypointBehavior::Reconfigure(const WaypointOptions& options) {
 }
 
 BehaviorAnswer WaypointBehavior::Idle(const BehaviorInputs&) {
+  diversion_.Forget();
   if (state_ == State::kDone || options_.reset_on_idle) {
     state_ = State::kNew;
   } else if (state_ == State::kOnTheWay) {

@@ -1,8 +1,7 @@
 // What the collision regulations prefer, as a function of course and speed.
 //
-//   cpa, in extremis     the utility of the closest distance; in extremis 0 to port of the course
-//   of
-//                        the entry for a contact on the port side (17 c), and faster than at the
+//   cpa, in extremis     the utility of the closest distance; in extremis 0 to port of the entry's
+//                        course for a contact on the port side (17 c), and faster than at the
 //                        entry where overtaken
 //   head-on (14)         0 where it passes starboard to starboard or crosses ahead from the
 //                        contact's port side; else that utility, and up to 100 more the faster the

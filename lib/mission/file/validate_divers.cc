@@ -40,7 +40,7 @@ void WarnOfDivers(const Mission& mission, const TablePlace& file) {
       std::vector<std::string> names;
       for (const Vehicle& other : mission.vehicles) {
         const double apart_m = std::abs(DeepestOf_m(other) - own_m);
-        const bool is_apart = apart_m >= kApart_m && (separation_m < 0 || apart_m <= separation_m);
+        const bool is_apart = apart_m >= kApart_m && (separation_m <= 0 || apart_m < separation_m);
         if (&other != &vehicle && is_apart && MayKeepClearOf(behavior, other)) {
           names.push_back(other.name);
         }

@@ -36,6 +36,9 @@ TEST(Divers, FarBelowABoatThatKeepsClearOfThemAreWarnedOf) {
             "out by ignore_name = [...]\n");
   EXPECT_NE(WarningsOf(kFlat + "kind = \"colregs\", name = \"rules\", contact = \"auv\""), "");
   EXPECT_NE(
+      WarningsOf("kind = \"colregs\", contact = \"auv\", name = \"a\", vertical_separation = 21"),
+      "");
+  EXPECT_EQ(
       WarningsOf("kind = \"colregs\", contact = \"auv\", name = \"a\", vertical_separation = 20"),
       "");
 }
