@@ -31,7 +31,8 @@ Mediator::Mediator(std::string vehicle, const MessageOptions& options, uint64_t 
             [this](const node_message_t& message) { to_send_.push_back(message); });
   Subscribe(bus, channels::NodeMessage(vehicle_), [this](const node_message_t& message) {
     if (message.ack_requested == 0) return;
-    if (to_acknowledge_.size() == kMaxAcksPerStep || message.ack_id.size() > kLongestAckId) {
+    if (num_acks_of_step_ == kMaxAcksPerStep || to_acknowledge_.size() == kMaxAcksWaiting ||
+        message.ack_id.size() > kLongestAckId) {
       ++counters_.acks_unsent;
       log_->Warn("messages not acknowledged: too many in one step, or too long an ack_id");
       return;
@@ -40,6 +41,7 @@ Mediator::Mediator(std::string vehicle, const MessageOptions& options, uint64_t 
     ack.src_node = vehicle_;
     ack.dest_node = message.src_node;
     ack.ack_id = message.ack_id;
+    ++num_acks_of_step_;
     to_acknowledge_.push_back({.ack = std::move(ack), .due_utime = {}});
   });
   Subscribe(bus, channels::AckMessageTo(vehicle_),
@@ -47,6 +49,7 @@ Mediator::Mediator(std::string vehicle, const MessageOptions& options, uint64_t 
 }
 
 void Mediator::Tick(int64_t utime) {
+  num_acks_of_step_ = 0;
   Acknowledge(utime);
   for (const ack_message_t& ack : received_acks_) TakeAck(utime, ack);
   for (node_message_t& message : to_send_) Send(utime, std::move(message));

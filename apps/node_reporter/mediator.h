@@ -11,7 +11,8 @@
 // "All" are the other vehicles in dest_node; of a message to a group or to all, one is enough.
 //
 // A flood of messages must not become a flood of acks, which would overload the bus: of one step
-// at most kMaxAcksPerStep messages wait to be acknowledged. Their senders repeat the others.
+// at most kMaxAcksPerStep messages are acknowledged, and kMaxAcksWaiting acks wait for their time.
+// Senders repeat the others.
 #pragma once
 
 #include <cstdint>
@@ -47,6 +48,7 @@ class Mediator {
   /// So are those that would make the waiting ones more than this: all may be repeated at once.
   static constexpr size_t kMaxWaitingBytes = 2'000'000;
   static constexpr size_t kMaxAcksPerStep = 1000;
+  static constexpr size_t kMaxAcksWaiting = 10'000;
   /// A message with a longer ack_id is not acknowledged.
   static constexpr size_t kLongestAckId = 1000;
 
@@ -83,6 +85,7 @@ class Mediator {
 
   std::vector<node_message_t> to_send_;
   std::vector<WaitingAck> to_acknowledge_;
+  size_t num_acks_of_step_ = 0;  ///< Taken since the last Tick.
   std::vector<ack_message_t> received_acks_;
   std::map<std::string, WaitingMessage> waiting_;  ///< By ack_id.
   size_t waiting_bytes_ = 0;                       ///< Of these, as they are sent.

@@ -84,6 +84,21 @@ TEST_F(MediatorTest, MakesNoFloodOfAcksOutOfAFloodOfMessages) {
   EXPECT_EQ(acks_.size(), 1U);
 }
 
+TEST_F(MediatorTest, AcknowledgesAsManyInEachStepWhereAcksWaitForTheirTime) {
+  Mediator late("charlie", {.ack_jitter_s = 1000}, 1, bus_, &log_);
+  node_message_t message = MessageTo("charlie", "b-7");
+  message.src_node = "bravo";
+  message.ack_requested = 1;
+  for (int step = 0; step < 3; ++step) {
+    for (size_t i = 0; i < Mediator::kMaxAcksPerStep; ++i) {
+      Publish(world_, channels::NodeMessage("charlie"), message);
+    }
+    Step();
+    late.Tick(utime_);
+  }
+  EXPECT_EQ(late.counters().acks_unsent, 0);
+}
+
 TEST_F(MediatorTest, SendsNoAckLongerThanAnAckIdMayBe) {
   for (const size_t length : {Mediator::kLongestAckId, Mediator::kLongestAckId + 1}) {
     node_message_t message = MessageTo("alpha", std::string(length, 'x'));

@@ -159,10 +159,30 @@ void WarnOfLength(const Mission& mission, const MessageWays& ways, const Event& 
           fmt::join(lost, ", "), length_bytes, largest->second, largest->first));
 }
 
+/// Acks that may come when their sender has already repeated the message.
+void WarnOfLateAcks(const Mission& mission, const TablePlace& file) {
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    const double jitter_s = mission.vehicles[i].message_options.ack_jitter_s;
+    for (const Vehicle& sender : mission.vehicles) {
+      const double timeout_s = sender.message_options.ack_timeout_s;
+      if (&sender == &mission.vehicles[i] || jitter_s < timeout_s) continue;
+      file.Below("vehicle", i)
+          .Below("messages")
+          .Warn("ack_jitter_s",
+                fmt::format("its acks may take {:g} s, and {} sends a message again after "
+                            "ack_timeout_s = {:g}: write a shorter ack_jitter_s, or a longer "
+                            "ack_timeout_s there",
+                            jitter_s, sender.name, timeout_s));
+      break;
+    }
+  }
+}
+
 }  // namespace
 
 void WarnOfMessages(const Mission& mission, const TablePlace& file) {
   if (!file.IsSound()) return;
+  WarnOfLateAcks(mission, file);
   const MessageWays ways(mission);
   for (size_t i = 0; i < mission.events.size(); ++i) {
     if (!std::holds_alternative<MessageEvent>(mission.events[i].what)) continue;

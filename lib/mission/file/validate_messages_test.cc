@@ -1,7 +1,10 @@
 // Messages of events that no medium on their way carries, with the exact texts.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <iterator>
 #include <string>
+#include <vector>
 
 #include "lib/mission/file/load.h"
 
@@ -32,6 +35,31 @@ std::string WarningsOf(const std::string& message, const std::string& comms = ""
     }
   }
   return text;
+}
+
+TEST(Acks, ThatMayComeAfterTheirMessageIsRepeatedAreWarnedOf) {
+  const auto warnings = [](const std::string& jitter_s) {
+    const std::vector<std::string> all =
+        LoadMissionText(
+            "[mission]\nduration_s = 60\n[[vehicle]]\nname = \"alpha\"\n"
+            "helm_options = {deploy_at_start = true}\nmessages = {ack_timeout_s = 5}\n"
+            "[[vehicle]]\nname = \"bravo\"\nmessages = {ack_jitter_s = " +
+                jitter_s + "}\n",
+            "m.toml")
+            .warnings;
+    std::vector<std::string> of_acks;
+    std::ranges::copy_if(all, std::back_inserter(of_acks), [](const std::string& warning) {
+      return warning.find("acks") != std::string::npos;
+    });
+    return of_acks;
+  };
+  EXPECT_EQ(warnings("4"), std::vector<std::string>());
+  EXPECT_EQ(
+      warnings("5"),
+      std::vector<std::string>{
+          "m.toml:9:28: warning: its acks may take 5 s, and alpha sends a message again after "
+          "ack_timeout_s = 5: write a shorter ack_jitter_s, or a longer ack_timeout_s "
+          "there"});
 }
 
 TEST(Messages, ThatNoPacketOnTheirWayHoldsAreWarnedOf) {
