@@ -155,7 +155,7 @@ UpdateResult NavigationFilter::UpdateCompass(double heading_rad) {
   return UpdateInsistent<1>(
       innovation, jacobian,
       Eigen::Matrix<double, 1, 1>{options_.compass_noise_rad * options_.compass_noise_rad},
-      {kStateHeading, kStateCompassBias}, options_.most_rejected_ranges, &rejected_compass_);
+      {kStateHeading, kStateCompassBias}, options_.most_rejected_headings, &rejected_compass_);
 }
 
 UpdateResult NavigationFilter::UpdateDvl(const Eigen::Vector2d& over_ground_mps) {

@@ -68,9 +68,11 @@ struct FilterOptions {
   /// This many GPS fixes rejected in a row are believed all the same: the filter has lost
   /// its way, and widens its covariance by what they show; > 0.
   int most_rejected_fixes = 5;
-  /// This many ranges of one beacon, directions or compass readings rejected in a row are believed
-  /// all the same; > 0. An echo comes by chance, and an error that stays is the filter's own.
+  /// This many ranges of one beacon or directions rejected in a row are believed all the same; > 0.
+  /// An echo comes by chance, and an error that stays is the filter's own.
   int most_rejected_ranges = 4;
+  /// Likewise of the compass, whose disturbances last some seconds.
+  int most_rejected_headings = 100;
 };
 
 /// The nominal state.

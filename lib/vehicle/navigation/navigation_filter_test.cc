@@ -288,7 +288,9 @@ TEST(NavigationFilter, BelievesACompassThatInsists) {
   FilterOptions options = NoNoise();
   options.compass_noise_rad = 0.01;
   NavigationFilter filter(options, {.heading_rad = 1}, Only(kStateHeading, 0.01));
-  for (int i = 0; i < 3; ++i) EXPECT_FALSE(filter.UpdateCompass(1.3).is_accepted);
+  for (int i = 1; i < options.most_rejected_headings; ++i) {
+    ASSERT_FALSE(filter.UpdateCompass(1.3).is_accepted) << i;
+  }
   EXPECT_TRUE(filter.UpdateCompass(1.3).is_accepted);
   EXPECT_GT(filter.covariance()(kStateHeading, kStateHeading), 0.01);
 }
