@@ -13,6 +13,7 @@ from .errors import DecodeError
 
 LIST_TYPE = "shoal.comms_fates_t"
 COLUMNS_TYPE = "shoal.comms_fate_columns_t"
+_MAX_TEXTS = 64 << 20  # Of one message: one long name could stand for many.
 
 
 def list_of(columns: Row) -> Row:
@@ -28,9 +29,15 @@ def list_of(columns: Row) -> Row:
     except (IndexError, StopIteration, RuntimeError):
         raise DecodeError("fates whose columns do not fit one another") from None
     left = sum(1 for each in own for _ in each)
-    if left or len(fates) != sum(max(each[3], 0) for each in senders):
+    is_last_empty = bool(senders) and senders[-1][3] <= 0
+    if left or is_last_empty or len(fates) != num_fates or _is_too_long(fates):
         raise DecodeError("fates whose columns do not fit one another")
     return (utime, num_fates, fates)
+
+
+def _is_too_long(fates: list[Row]) -> bool:
+    total = sum(len(fate[0]) + len(fate[1]) + len(fate[2]) + len(fate[5]) for fate in fates)
+    return total > _MAX_TEXTS
 
 
 def _fates(

@@ -49,6 +49,7 @@ bool IsColumns(std::span<const uint8_t> data) {
 }  // namespace
 
 bool ListOf(const comms_fate_columns_t& columns, comms_fates_t* list) {
+  size_t text_bytes = 0;  // One long name could stand for many.
   list->utime = columns.utime;
   list->fates.resize(columns.destination.size());
   list->num_fates = static_cast<int32_t>(list->fates.size());
@@ -68,6 +69,9 @@ bool ListOf(const comms_fate_columns_t& columns, comms_fates_t* list) {
     const fate_case_t* of = At(columns.cases, columns.which_case[i]);
     const std::string* destination = At(columns.names, columns.destination[i]);
     if (of == nullptr || destination == nullptr) return false;
+    text_bytes += sender->kind.size() + sender->source.size() + destination->size() +
+                  of->cause.size() + of->override_rule.size();
+    if (text_bytes > kMaxFateTexts_bytes) return false;
     fate_t& fate = list->fates[i];
     fate.kind = sender->kind;
     fate.source = sender->source;

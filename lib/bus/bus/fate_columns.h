@@ -6,6 +6,7 @@
 //   if (Decode(data, &fates)) ...
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -20,8 +21,12 @@ namespace shoal {
 template <>
 [[nodiscard]] bool Decode(std::span<const uint8_t> data, comms_fates_t* message);
 
+/// Of all fates of a message: one long name could stand for many.
+inline constexpr size_t kMaxFateTexts_bytes = size_t{64} << 20;
+
 /// Makes a list of columns. Returns false where they do not fit one another: an index, or the
-/// length of a column, is not what the others make it.
+/// length of a column, is not what the others make it, or where the list's texts would have more
+/// than kMaxFateTexts_bytes.
 [[nodiscard]] bool ListOf(const comms_fate_columns_t& columns, comms_fates_t* list);
 
 /// Returns the bytes of a comms_fates_t, made in `storage`, where `message` is a

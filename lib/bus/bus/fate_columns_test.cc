@@ -93,6 +93,24 @@ TEST(FateColumns, AreRefusedWhereTheyDoNotFitOneAnother) {
   EXPECT_TRUE(is_refused([](auto* columns) { columns->senders[1].num_fates = 3; }));
 }
 
+TEST(FateColumns, AreRefusedWhereALongNameWouldStandForMany) {
+  comms_fate_columns_t columns = ThreeFates();
+  columns.names[0] = std::string(1 << 20, 'b');
+  const auto repeat = [&](size_t num_fates) {
+    columns.destination.assign(num_fates, 0);
+    columns.which_case.assign(num_fates, 2);
+    columns.count.assign(num_fates, 1);
+    columns.range_m.clear();
+    columns.wait_s.clear();
+    columns.path.clear();
+    columns.senders[1].num_fates = static_cast<int32_t>(num_fates) - 1;
+    comms_fates_t list;
+    return Decode(Encoded(columns), &list);
+  };
+  EXPECT_TRUE(repeat(60));
+  EXPECT_FALSE(repeat(64));
+}
+
 TEST(FateColumns, StandForTheSameBytesAsTheList) {
   const Bytes columns = Encoded(ThreeFates());
   comms_fates_t list;

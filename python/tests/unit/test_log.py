@@ -163,6 +163,15 @@ def test_fates_in_columns_are_read_as_lists_of_them(tmp_path: Path) -> None:
         {"path": []},
         {"senders": []},
         {"destination": [0], "which_case": [0]},
+        {
+            "destination": [0, 1, 0],
+            "which_case": [0, 0, 0],
+            "cases": [T.fate_case_t(cause="delivered")],
+            "range_m": [],
+            "count": [],
+            "path": [],
+        },
+        {"senders": [T.fate_sender_t(num_fates=2), T.fate_sender_t()]},
     ],
 )
 def test_fates_whose_columns_do_not_fit_one_another_are_an_error(
