@@ -1,6 +1,7 @@
 // `shoal log copy`.
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <sstream>
 
 #include "lib/base/check/result.h"
@@ -50,6 +51,20 @@ class LogCopyTest : public ::testing::Test {
 };
 
 using LogCopy_ = LogCopyTest;
+
+TEST_F(LogCopy_, LeavesWhatIsThereWhereItCopiesNothing) {
+  ASSERT_EQ(Copy({.path = plain_, .out_path = copy_}), kExitOk) << err_.str();
+  const auto before = FileBytes(copy_);
+  EXPECT_EQ(Copy({.path = plain_, .out_path = copy_, .selection = {.from_s = 1000}}), kExitUsage);
+  EXPECT_EQ(err_.str(),
+            "shoal: none of the 20 events of " + plain_ +
+                " is chosen by --from, --to, --channels and --without; `shoal log info` "
+                "shows times and channels\n");
+  EXPECT_EQ(Copy({.path = plain_, .out_path = copy_, .selection = {.channels = {"NAV_CHARLY"}}}),
+            kExitUsage);
+  EXPECT_EQ(FileBytes(copy_), before);
+  EXPECT_FALSE(std::filesystem::exists(directory_.File(".part-c.lcm")));
+}
 
 TEST_F(LogCopy_, GivesTheSameBytesBackFromACompressedLog) {
   EXPECT_EQ(Copy({.path = plain_, .out_path = compressed_}), kExitOk) << err_.str();
