@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -20,6 +21,15 @@ struct CheckError : CLI::ParseError {
   explicit CheckError(const std::string& text)
       : CLI::ParseError("CheckError", text, CLI::ExitCodes::ValidationError) {}
 };
+
+/// Returns what is wrong with a number that is none, as "nan", or nothing. Words are CLI11's
+/// matter.
+std::string IsFinite(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() + text.size() || std::isfinite(value)) return "";
+  return fmt::format("{} is not a finite number", Quoted(text));
+}
 
 }  // namespace
 
@@ -83,7 +93,7 @@ Option Command::AddOption(const std::string& names, uint64_t* value,
 }
 
 Option Command::AddOption(const std::string& names, double* value, const std::string& text) const {
-  return Option(command_->add_option(names, *value, text));
+  return Option(command_->add_option(names, *value, text)->check(IsFinite, ""));
 }
 
 Option Command::AddOption(const std::string& names, std::string* value,
@@ -103,7 +113,7 @@ Option Command::AddOption(const std::string& names, std::optional<int64_t>* valu
 
 Option Command::AddOption(const std::string& names, std::optional<double>* value,
                           const std::string& text) const {
-  return Option(command_->add_option(names, *value, text));
+  return Option(command_->add_option(names, *value, text)->check(IsFinite, ""));
 }
 
 Option Command::AddOption(const std::string& names, std::vector<std::string>* values,

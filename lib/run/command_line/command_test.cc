@@ -88,6 +88,26 @@ TEST_F(Command_, NamesAMistypedOptionRatherThanWhatIsMissingBesideIt) {
       "what it takes\n");
 }
 
+TEST_F(Command_, RefusesNumbersThatAreNone) {
+  double rate_hz = 1;
+  std::optional<double> from_s;
+  program_.AddOption("--rate", &rate_hz, "Rate");
+  program_.AddOption("--from", &from_s, "Begin");
+  const auto error_of = [&](const std::vector<std::string>& words) {
+    testing::internal::CaptureStderr();
+    EXPECT_EQ(program_.Parse(words), kExitUsage);
+    return testing::internal::GetCapturedStderr();
+  };
+  for (const std::string text : {"nan", "inf", "-inf", "1e999"}) {
+    EXPECT_NE(error_of({"--rate", text}).find("'" + text + "' is not a finite number"),
+              std::string::npos);
+    EXPECT_NE(error_of({"--from=" + text}).find("--from: '" + text + "' is not a finite number"),
+              std::string::npos);
+  }
+  EXPECT_EQ(program_.Parse({"--rate", "2.5", "--from=-1e3"}), std::nullopt);
+  EXPECT_EQ(from_s, -1000);
+}
+
 TEST_F(Command_, EndsWithSuccessAfterHelpAndVersion) {
   EXPECT_EQ(program_.Parse({"--help"}), kExitOk);
   EXPECT_EQ(program_.Parse({"--version"}), kExitOk);
