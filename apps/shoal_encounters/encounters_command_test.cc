@@ -76,7 +76,7 @@ TEST(EncounterCommand, LetsVesselsFollowTheirLines) {
   const std::string mission = MissionOf(choice);
   EXPECT_NE(mission.find("`shoal encounters overtaking 3 --lead 8`"), std::string::npos) << mission;
   EXPECT_NE(mission.find("lead = 8\nlead_damper = 1\n"), std::string::npos) << mission;
-  EXPECT_NE(ErrorOf({.set = "overtaking", .number = 23}).find("they are 1 to 22"),
+  EXPECT_NE(ErrorOf({.set = "overtaking", .number = 23}).find("the cases are 1 to 22"),
             std::string::npos);
 }
 
