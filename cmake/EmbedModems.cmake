@@ -33,5 +33,6 @@ function(shoal_embed_modems out_variable folder)
     COMMAND ${CMAKE_COMMAND} "-DFILES=${files}" -DOUT=${out} -P ${SHOAL_EMBED_MODEMS_SCRIPT}
     DEPENDS ${files} ${SHOAL_EMBED_MODEMS_SCRIPT} VERBATIM
     COMMENT "Embedding ${folder}")
+  add_custom_target(own_modems DEPENDS ${out})  # For scripts/tidy.
   set(${out_variable} ${out} PARENT_SCOPE)
 endfunction()

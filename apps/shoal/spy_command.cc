@@ -32,7 +32,7 @@ std::string OnPath(const std::string& program) {
   const std::string path = TextOfVariable("PATH");
   for (size_t begin = 0; begin <= path.size();) {
     const size_t end = std::min(path.find(':', begin), path.size());
-    const std::string candidate = path.substr(begin, end - begin) + "/" + program;
+    std::string candidate = path.substr(begin, end - begin) + "/" + program;
     if (access(candidate.c_str(), X_OK) == 0) return candidate;
     begin = end + 1;
   }

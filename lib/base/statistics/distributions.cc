@@ -13,9 +13,9 @@ namespace shoal {
 
 namespace {
 
-/// Returns p[0] x^(n-1) + ... + p[n-1].
-template <size_t n>
-double Polynomial(const std::array<double, n>& p, double x) {
+/// Returns p[0] x^(N-1) + ... + p[N-1].
+template <size_t N>
+double Polynomial(const std::array<double, N>& p, double x) {
   double sum = 0;
   for (const double each : p) sum = sum * x + each;
   return sum;
