@@ -7,6 +7,18 @@
 
 namespace shoal {
 
+namespace {
+
+/// Returns `bearing_deg` in [0, 360), and exactly the half degree where it is one but for rounding:
+/// whether a vessel dead astern counts as on the port side must not depend on the course of both.
+double RelativeBearing(double bearing_deg) {
+  constexpr double kRounding_deg = 1e-9;
+  const double half_deg = std::round(2 * bearing_deg) / 2;
+  return Wrap360(std::abs(bearing_deg - half_deg) < kRounding_deg ? half_deg : bearing_deg);
+}
+
+}  // namespace
+
 Eigen::Vector2d VelocityOf(const VesselMotion& vessel) {
   return std::max(0.0, vessel.speed_mps) * UnitVector(DegToRad(vessel.heading_deg));
 }
@@ -24,8 +36,8 @@ RelativeGeometry GeometryOf(const VesselMotion& own, const VesselMotion& contact
   const Eigen::Vector2d offset_m = contact.position_m - own.position_m;
   const Eigen::Vector2d velocity_mps = VelocityOf(contact) - VelocityOf(own);
   geometry.range_m = offset_m.norm();
-  geometry.beta_deg = Wrap360(RadToDeg(HeadingOf(offset_m)) - own.heading_deg);
-  geometry.alpha_deg = Wrap360(RadToDeg(HeadingOf(-offset_m)) - contact.heading_deg);
+  geometry.beta_deg = RelativeBearing(RadToDeg(HeadingOf(offset_m)) - own.heading_deg);
+  geometry.alpha_deg = RelativeBearing(RadToDeg(HeadingOf(-offset_m)) - contact.heading_deg);
   if (geometry.range_m > 0) {
     geometry.range_rate_mps = offset_m.dot(velocity_mps) / geometry.range_m;
   }

@@ -96,7 +96,7 @@ ColregsFunction::Truth ColregsFunction::AtLeast(const Range& value, double thres
 }
 
 double ColregsFunction::HeadOnBonus(double drift_mps) const {
-  if (drift_mps >= 0) return 0;
+  if (drift_mps >= -kNoDrift) return 0;
   if (drift_mps <= head_on_drift_mps_) return kFullBonus;
   return kFullBonus * drift_mps / head_on_drift_mps_;
 }

@@ -252,11 +252,17 @@ RC_GTEST_PROP(Function, TurnsWithTheWorldByWholeDegreesExactly, ()) {
     each.heading_deg = Wrap360(each.heading_deg + turn_deg);
     return each;
   };
-  const ColregsState state = DrawState();
-  const ColregsFunction here(state, own, contact, kPreferences, kDomain);
-  const ColregsFunction there(state, turned(own), turned(contact), kPreferences, kDomain);
-  for (const double course_deg : {contact.heading_deg, Wrap360(contact.heading_deg + 180),
-                                  own.heading_deg, Wrap360(own.heading_deg + 180)}) {
+  ColregsState state = DrawState();
+  state.entry_heading_deg = static_cast<double>(*rc::gen::inRange(0, 360));
+  ColregsState turned_state = state;
+  turned_state.entry_heading_deg = Wrap360(state.entry_heading_deg + turn_deg);
+  ColregsPreferences preferences = kPreferences;
+  preferences.steady = *rc::gen::arbitrary<bool>();
+  const ColregsFunction here(state, own, contact, preferences, kDomain);
+  const ColregsFunction there(turned_state, turned(own), turned(contact), preferences, kDomain);
+  for (const double course_deg :
+       {contact.heading_deg, Wrap360(contact.heading_deg + 180), own.heading_deg,
+        Wrap360(own.heading_deg + 180), state.entry_heading_deg}) {
     const int course = static_cast<int>(course_deg);
     for (int speed = 0; speed <= 40; speed += 5) {
       const double difference = here.At(course, speed) - there.At((course + turn_deg) % 360, speed);
