@@ -93,6 +93,9 @@ int SendHelm(LcmBus& bus, const OrderByName& named, const std::vector<std::strin
       ++num_silent;
     }
   }
+  if (const std::string done = DoneBesideRefusals(watch.answers()); !done.empty()) {
+    fmt::print(stderr, "done all the same: {}\n", done);
+  }
   if (num_silent > 0) {
     fmt::print(
         "{} of {} helms have published nothing since; `shoal status` shows which participants "

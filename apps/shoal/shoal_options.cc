@@ -28,6 +28,7 @@
 #include "lib/run/launch/run_viewer.h"
 #include "lib/run/orders/order_words.h"
 #include "lib/run/run/app_options.h"
+#include "lib/run/run/log_arguments.h"
 #include "lib/run/run/log_plan.h"
 #include "sim/app_factory.h"
 #include "sim/run_sim.h"

@@ -97,8 +97,7 @@ void AddLogCommands(Command log, CommandAction* action) {
   auto diff_options = std::make_shared<LogDiffOptions>();
   diff.AddOption("A", &diff_options->path_a, kLogArgument).Required();
   diff.AddOption("B", &diff_options->path_b, kLogArgument).Required();
-  diff.AddOption("--without", &diff_options->without, "Leave out these channels; * and ? are wild")
-      .Repeatable();
+  AddWithout(diff, &diff_options->without);
   AddLogTypes(diff, &diff_options->types);
   diff.Callback([diff_options, action] {
     *action = [diff_options] { return LogDiff(*diff_options, std::cout, std::cerr); };

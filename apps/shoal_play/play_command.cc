@@ -5,11 +5,16 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
 
 #include "lib/base/check/result.h"
+#include "lib/base/text/letters.h"
 #include "lib/base/time/seconds.h"
 #include "lib/bus/bus/multicast_fault.h"
+#include "lib/bus/record/log_source.h"
 #include "lib/mission/file/recorded_mission.h"
+#include "lib/mission/model/names.h"
+#include "lib/mission/toml/suggest.h"
 #include "lib/run/launch/launch_plan.h"
 #include "lib/run/launch/launch_signals.h"
 
@@ -34,6 +39,26 @@ std::string Stem(const std::string& path) {
   return name.substr(0, name.find('.'));
 }
 
+/// Returns what is wrong with the names of participants; empty: nothing is.
+std::string ProblemOfParticipants(const std::vector<std::string>& names) {
+  for (size_t i = 0; i < names.size(); ++i) {
+    const std::string& name = names[i];
+    if (const std::string problem = NameProblem(name); !problem.empty()) {
+      return fmt::format("--participant: {}", problem);
+    }
+    const std::string key = LowerCase(name);
+    if (key == kPlaybackName) {
+      return fmt::format("--participant {}: that is the playback itself", Quoted(name));
+    }
+    if (std::any_of(names.begin(), names.begin() + static_cast<ptrdiff_t>(i),
+                    [&](const std::string& other) { return LowerCase(other) == key; })) {
+      return fmt::format("--participant {} is there twice: each needs a name of its own",
+                         Quoted(name));
+    }
+  }
+  return {};
+}
+
 /// Prints how participants are started beside the playback.
 void PrintHandCommands(const PlayOptions& options, const Mission& mission, const PortPlan& ports,
                        int64_t mission_id) {
@@ -45,11 +70,8 @@ void PrintHandCommands(const PlayOptions& options, const Mission& mission, const
                                  .log_dir = {},
                                  .log_path = {}};
   for (const std::string& name : options.participants) {
-    fmt::print("Start {} with:\n ", name);
-    for (const std::string& each : ParticipantEnvironment(name, context)) {
-      fmt::print(" {}", each);
-    }
-    fmt::print(" COMMAND\n");
+    fmt::print("Start {} with:\n  {} COMMAND\n", Quoted(name),
+               ShellVariables(ParticipantEnvironment(name, context)));
   }
 }
 
@@ -69,6 +91,13 @@ Mission MissionToPlay(const PlaybackLog& log) {
   mission.name = "playback of " + Stem(log.path());
   mission.tick_us =
       std::max(kTickOfOtherLogs_us, (log.last_utime() - log.first_utime()) / kMostSteps);
+  if (mission.tick_us > kTickOfOtherLogs_us) {
+    fmt::print(
+        stderr,
+        "shoal: {} is {:.0f} s long: what falls into the same {:.3f} s is published at once; "
+        "`shoal log copy --from --to` makes a shorter one\n",
+        log.path(), Seconds(log.last_utime() - log.first_utime()), Seconds(mission.tick_us));
+  }
   mission.start_utime = log.first_utime();
   mission.duration_s = Seconds(log.last_utime() - log.first_utime());
   for (const std::string& name : log.vehicles()) {
@@ -87,8 +116,14 @@ int RunPlay(const PlayOptions& options) {
     return Refuse(kExitUsage, fmt::format("--from {} is behind the end: {} has {:.1f} s",
                                           options.from_s, log->path(), length_s));
   }
-  if (std::ranges::count(options.participants, kPlaybackName) > 0) {
-    return Refuse(kExitUsage, "--participant playback: that is the playback itself");
+  if (const std::string problem = ProblemOfParticipants(options.participants); !problem.empty()) {
+    return Refuse(kExitUsage, problem);
+  }
+  if (!ReportUnmatched(log->path(), options.channels, log->times().channels, std::cerr)) {
+    return kExitUsage;
+  }
+  for (const std::string& warning : TimeWarnings(log->times(), log->path())) {
+    fmt::print(stderr, "shoal: {}\n", warning);
   }
   if (const std::string fault = MulticastFault(); !fault.empty()) {
     return Refuse(kExitEnvironment, fault);

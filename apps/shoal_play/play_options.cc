@@ -10,6 +10,7 @@
 #include "apps/shoal_play/play_command.h"
 #include "lib/base/check/result.h"
 #include "lib/run/orders/order_words.h"
+#include "lib/run/run/log_arguments.h"
 
 namespace shoal {
 
@@ -24,7 +25,7 @@ void AddPlayOptions(Command command, CommandAction* action) {
   constexpr int kLastPort = 65535;
   constexpr double kLongest_s = 1e12;
   command.Footer(fmt::format("Keys: {}", kPlayKeys));
-  command.AddOption("LOG", &options.path, "LCM event log, or the folder of a recording").Required();
+  command.AddOption("LOG", &options.path, kLogArgument).Required();
   command
       .AddOption("--speed", &parsed->speed,
                  "Seconds of the log per second, or max: as fast as the receivers; default 1")
@@ -37,14 +38,7 @@ void AddPlayOptions(Command command, CommandAction* action) {
       .InRange(0.0, kLongest_s);
   const Option loop =
       command.AddFlag("--loop", &options.loop, "At the end, begin again, until it is ended");
-  command
-      .AddOption("--channels", &options.channels.only,
-                 "Play only these channels, e.g. 'NAV_*'; * and ? are wild")
-      .Repeatable();
-  command
-      .AddOption("--without", &options.channels.without,
-                 "Do not play these channels; * and ? are wild")
-      .Repeatable();
+  AddChannelChoice(command, &options.channels, "Play");
   command.AddFlag("--paused", &options.paused,
                   "Wait before the first step for `shoal send clock resume`, or space");
   const Option participant = command.AddOption(

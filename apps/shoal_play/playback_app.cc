@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
@@ -51,8 +52,17 @@ void PlaybackApp::FlushAnswers() {
 void PlaybackApp::Tick(int64_t utime) {
   FlushAnswers();
   utime_ = utime;
+  if (!std::exchange(has_begun_, true)) PublishHolding();
   for (; next_ && next_->utime < utime + tick_us_; next_ = log_.Next()) PublishEvent(*next_);
   is_at_end_ = !next_;
+}
+
+void PlaybackApp::PublishHolding() {
+  for (const HoldingMessage& message : log_.holding()) {
+    if (!channels_.Takes(message.channel)) continue;
+    bus_.PublishBytes(message.channel, message.data);
+    ++counts_.repeated;
+  }
 }
 
 void PlaybackApp::PublishEvent(const LogEvent& event) {

@@ -25,7 +25,8 @@ struct PlaybackCounts {
   /// Of the stepping and of LCM itself, which make their own; or with names that LCM cannot send.
   int64_t left_out = 0;
   int64_t not_chosen = 0;
-  int64_t answers = 0;  ///< Of others, in the second log.
+  int64_t repeated = 0;  ///< Of what was published before the place where the playing begins.
+  int64_t answers = 0;   ///< Of others, in the second log.
 };
 
 /// Returns true for what is published again: not ticks, orders to the clock, requests and their
@@ -35,7 +36,7 @@ struct PlaybackCounts {
 class PlaybackApp : public App {
  public:
   /// `log` and `answers` must outlive this, `answers` may be null: no second log. What stands
-  /// in the log from where it is at now is played.
+  /// in the log from where it is at now is played, behind what holds there.
   PlaybackApp(PlaybackLog* log, const ChannelChoice& channels, int64_t tick_us, LogWriter* answers,
               Bus& bus);
 
@@ -55,6 +56,7 @@ class PlaybackApp : public App {
   bool is_at_end() const { return is_at_end_; }
 
  private:
+  void PublishHolding();
   void PublishEvent(const LogEvent& event);
   void FlushAnswers();
 
@@ -65,6 +67,7 @@ class PlaybackApp : public App {
   Bus& bus_;
   int64_t utime_ = 0;
   std::optional<LogEvent> next_;
+  bool has_begun_ = false;
   Bytes rules_;  ///< The last.
   bool is_at_end_ = false;
   PlaybackCounts counts_;

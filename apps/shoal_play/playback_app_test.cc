@@ -116,6 +116,16 @@ TEST_F(PlaybackAppTest, AnswersThoseThatComeLateWithTheRules) {
   EXPECT_FALSE(app.Answer("APPCAST_REQ", {}));
 }
 
+TEST_F(PlaybackAppTest, BeginsWithWhatHoldsThereAfterAJump) {
+  Open({{0, "COMMS_RULES", {1, 2}}, {0, "A", {1}}, {900'000, "A", {1, 2, 3}}});
+  log_->SeekTo(900'000);
+  PlaybackApp app(&*log_, {}, 100'000, nullptr, bus_);
+  EXPECT_EQ(Step(&app, 900'000), "A 3\nCOMMS_RULES 2\n") << "in the order of a step";
+  EXPECT_EQ(Step(&app, 1'000'000), "");
+  EXPECT_EQ(app.counts().repeated, 1);
+  EXPECT_EQ(app.counts().played, 1);
+}
+
 TEST_F(PlaybackAppTest, IsMarkedAsPlaybackOnItsPage) {
   Open({{0, "A", {1}}});
   PlaybackApp app(&*log_, {}, 100'000, nullptr, bus_);

@@ -133,18 +133,20 @@ void Player::Receive(Session* session, int port, std::string_view channel,
     return;
   }
   clock_command_t command;
-  if (channel == channels::ClockCommand().name && Decode(datagram, &command)) {
-    if (std::string_view(command.command).starts_with(kSeek)) {
-      if (const auto to_s = ReadNumber<double>(command.command.substr(kSeek.size()))) {
-        SeekTo(*to_s);
-        return;
-      }
+  const bool is_order = channel == channels::ClockCommand().name && Decode(datagram, &command);
+  if (is_order && std::string_view(command.command).starts_with(kSeek)) {
+    if (const auto to_s = ReadNumber<double>(command.command.substr(kSeek.size()))) {
+      SeekTo(*to_s);
+      return;
     }
-    if (command.command == "pause") is_paused_ = true;
-    if (command.command == "resume") is_paused_ = false;
-    if (command.command == "warp" && command.warp >= 0) warp_ = command.warp;
   }
   session->clock.OnDatagram(port, channel, datagram, now);
+  if (!is_order) return;
+  // As the clock took it: it refuses what is no order, and what comes when it ends.
+  if (command.command == "warp") warp_ = session->clock.warp();
+  if (command.command == "pause" || command.command == "resume") {
+    is_paused_ = session->clock.paused();
+  }
 }
 
 void Player::SeekTo(double since_begin_s) {
@@ -259,6 +261,7 @@ void Player::End(Session* session) {
   counts_.bytes += counts.bytes;
   counts_.left_out += counts.left_out;
   counts_.not_chosen += counts.not_chosen;
+  counts_.repeated += counts.repeated;
   counts_.answers += counts.answers;
   num_given_up_ += session->transport.num_given_up();
   num_repeated_ += session->clock.counters().repeated;
@@ -281,7 +284,8 @@ int Player::Run() {
   }
   terminal_.EndProgress();
   LaunchTerminal::Print(fmt::format(
-      "Played: {} messages, {} bytes{}{}\n", counts_.played, counts_.bytes,
+      "Played: {} messages, {} bytes{}{}{}\n", counts_.played, counts_.bytes,
+      counts_.repeated > 0 ? fmt::format("; again, as of before: {}", counts_.repeated) : "",
       counts_.left_out > 0
           ? fmt::format("; left out: {} of the stepping and of LCM", counts_.left_out)
           : "",

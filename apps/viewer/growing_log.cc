@@ -9,17 +9,27 @@
 
 namespace shoal {
 
-namespace {
-
-/// The begin of a log, with how much of it all has been read meanwhile.
 class PartView : public ViewSource {
  public:
-  PartView(std::unique_ptr<ViewSource> part, std::shared_ptr<std::atomic<double>> share)
-      : part_(std::move(part)), share_(std::move(share)) {}
+  explicit PartView(std::unique_ptr<RecordedView> part) : part_(std::move(part)) {}
+
+  void SetShare(double share) { share_ = share; }
+  /// No more than the begin can be shown: a page begins anew, with the reason.
+  void Fail(const std::string& why) {
+    std::string json = part_->SetupJsonWith(
+        NewToken(),
+        fmt::format("only the log's begin is shown, since the rest cannot be read: {}", why));
+    const std::lock_guard lock(mutex_);
+    failed_json_ = std::move(json);
+  }
 
   std::string SetupJson(bool commands) override {
+    {
+      const std::lock_guard lock(mutex_);
+      if (!failed_json_.empty()) return failed_json_;
+    }
     std::string json = part_->SetupJson(commands);
-    json.insert(1, fmt::format("\"indexing\":{:.3f},", share_->load()));
+    json.insert(1, fmt::format("\"indexing\":{:.3f},", share_.load()));
     return json;
   }
   std::string FrameJson(double t_s) override { return part_->FrameJson(t_s); }
@@ -40,11 +50,11 @@ class PartView : public ViewSource {
   }
 
  private:
-  const std::unique_ptr<ViewSource> part_;
-  const std::shared_ptr<std::atomic<double>> share_;
+  const std::unique_ptr<RecordedView> part_;
+  std::atomic<double> share_ = 0;
+  std::mutex mutex_;
+  std::string failed_json_;  ///< Empty: it is being read.
 };
-
-}  // namespace
 
 Result<std::unique_ptr<GrowingLog>> GrowingLog::Open(const std::string& path,
                                                      const std::string& mission_file,
@@ -62,7 +72,8 @@ Result<std::unique_ptr<GrowingLog>> GrowingLog::Open(const std::string& path,
     log->source_ = std::move(*first);
     return log;
   }
-  log->source_ = std::make_shared<PartView>(std::move(*first), log->share_);
+  log->part_ = std::make_shared<PartView>(std::move(*first));
+  log->source_ = log->part_;
   log->reading_ =
       std::thread([raw = log.get(), path, mission_file] { raw->ReadAll(path, mission_file); });
   return log;
@@ -71,12 +82,13 @@ Result<std::unique_ptr<GrowingLog>> GrowingLog::Open(const std::string& path,
 void GrowingLog::ReadAll(const std::string& path, const std::string& mission_file) {
   Result<std::unique_ptr<RecordedView>> whole = RecordedView::Open(
       path, {.mission_file = mission_file, .boot = NewToken(), .progress = [this](double share) {
-               *share_ = share;
+               part_->SetShare(share);
                return !stopped_;
              }});
   if (stopped_) return;
   if (!whole.ok()) {
     fmt::print(stderr, "shoal-viewer: {}\n", whole.error());
+    part_->Fail(whole.error());
     return;
   }
   const std::lock_guard lock(mutex_);

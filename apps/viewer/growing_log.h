@@ -17,6 +17,9 @@
 
 namespace shoal {
 
+/// The begin of a log, with how much of it all has been read meanwhile.
+class PartView;
+
 class GrowingLog {
  public:
   /// What is read in this time is shown first; a log that takes no longer is shown as a whole.
@@ -40,8 +43,8 @@ class GrowingLog {
   mutable std::mutex mutex_;
   std::shared_ptr<ViewSource> source_;
   std::atomic<bool> stopped_ = false;
-  std::shared_ptr<std::atomic<double>> share_ = std::make_shared<std::atomic<double>>(0);
-  std::thread reading_;  ///< Not there where the first view is the whole.
+  std::shared_ptr<PartView> part_;  ///< Null where the first view is the whole.
+  std::thread reading_;             ///< Not there where the first view is the whole.
 };
 
 }  // namespace shoal

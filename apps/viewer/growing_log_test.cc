@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "lib/bus/bus/channels.h"
@@ -55,6 +56,22 @@ TEST_F(GrowingLogTest, ShowsTheBeginOfALongLogAtOnceAndThenAllOfIt) {
   EXPECT_FALSE(whole.contains("indexing"));
   EXPECT_NE(whole["boot"], first["boot"]) << "so that pages begin anew";
   EXPECT_NEAR(whole["end_s"].get<double>(), 2999.9, 0.01);
+}
+
+TEST_F(GrowingLogTest, ShowsOnThePageWhyTheRestCannotBeRead) {
+  int64_t now_us = 0;
+  const auto log = GrowingLog::Open(path_, "", [&] {
+    if (now_us > 0) std::filesystem::remove(path_);  // It is open then.
+    return now_us += GrowingLog::kFirst_us / 3;
+  });
+  ASSERT_TRUE(log.ok()) << log.error();
+  (*log)->AwaitAll();
+  const nlohmann::json setup = SetupOf(**log);
+  EXPECT_FALSE(setup.contains("indexing")) << "nothing is awaited any more";
+  const std::string note = setup["notes"].at(0).get<std::string>();
+  EXPECT_NE(note.find("only the log's begin is shown"), std::string::npos) << note;
+  EXPECT_NE(note.find("cannot read"), std::string::npos) << note;
+  EXPECT_NE((*log)->source()->FrameJson(1).find("alpha"), std::string::npos);
 }
 
 TEST_F(GrowingLogTest, EndsWhileItReads) {

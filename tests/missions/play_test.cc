@@ -113,7 +113,29 @@ TEST_F(Play, RefusesWhatCannotBePlayed) {
   EXPECT_EQ(speed.exit_code, 2);
   EXPECT_NE(speed.output.find("neither a number"), std::string::npos) << speed.output;
   EXPECT_EQ(RunShoal(folder_, {"play", log_, "--answers", log_}).exit_code, 2);
-  EXPECT_EQ(RunShoal(folder_, {"play", log_, "--participant", "playback"}).exit_code, 2);
+  const auto refused = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), {"play", log_});
+    const Finished finished = RunShoal(folder_, words);
+    EXPECT_EQ(finished.exit_code, 2) << finished.output;
+    return finished.output;
+  };
+  EXPECT_NE(refused({"--participant", "playback"}).find("the playback itself"), std::string::npos);
+  EXPECT_NE(refused({"--participant", "my planner"}).find("'my planner' may hold only letters"),
+            std::string::npos);
+  EXPECT_NE(refused({"--participant", "one", "--participant", "ONE"}).find("'ONE' is there twice"),
+            std::string::npos);
+  EXPECT_NE(refused({"--channel", "NOPE"}).find("no channel matches 'NOPE'; there are: "),
+            std::string::npos);
+}
+
+/// A log that nothing lies beside.
+TEST_F(Play, AParticipantIsAwaitedWithoutAMissionFile) {
+  RunningProcess play(folder_, {Program("shoal"), "play", log_, "--participant", "planner"});
+  ASSERT_TRUE(play.WaitFor("waits for planner")) << play.Output();
+  EXPECT_NE(play.Output().find("SHOAL_PARTICIPANT=planner "), std::string::npos) << play.Output();
+  EXPECT_EQ(play.Output().find("SHOAL_MISSION_FILE"), std::string::npos);
+  play.Signal(SIGINT);
+  EXPECT_EQ(play.Wait().exit_code, 0);
 }
 
 /// A planner beside the recording of a mission in which it took part decides the same again.

@@ -11,6 +11,48 @@
 
 namespace shoal {
 
+namespace {
+
+FileStamp StampOf(int fd) {
+  struct stat status {};
+  if (::fstat(fd, &status) != 0) return {};
+  constexpr int64_t kNanoseconds = 1'000'000'000;
+  FileStamp stamp{.size = static_cast<uint64_t>(status.st_size),
+                  .changed_ns = status.st_mtim.tv_sec * kNanoseconds + status.st_mtim.tv_nsec};
+  // Pieces from the begin to the end, evenly spread.
+  constexpr size_t kPiece_bytes = 4096;
+  constexpr uint64_t kPieces = 16;
+  std::array<uint8_t, kPiece_bytes> piece{};
+  for (uint64_t i = 0; i < kPieces; ++i) {
+    const uint64_t last = stamp.size > kPiece_bytes ? stamp.size - kPiece_bytes : 0;
+    const uint64_t place = last / (kPieces - 1) * i + last % (kPieces - 1) * i / (kPieces - 1);
+    const ssize_t length = ::pread(fd, piece.data(), piece.size(), static_cast<off_t>(place));
+    if (length > 0) {
+      stamp.digest =
+          stamp.digest * 31 + DigestOf(std::span(piece).first(static_cast<size_t>(length)));
+    }
+  }
+  return stamp;
+}
+
+}  // namespace
+
+uint64_t DigestOf(std::span<const uint8_t> bytes) {
+  constexpr uint64_t kBasis = 0xcbf29ce484222325;
+  constexpr uint64_t kPrime = 0x100000001b3;
+  uint64_t digest = kBasis;
+  for (; bytes.size() >= 8; bytes = bytes.subspan(8)) {
+    uint64_t word = 0;
+    for (size_t i = 0; i < 8; ++i) word |= uint64_t{bytes[i]} << (8 * i);
+    digest = (digest ^ word) * kPrime;
+    digest ^= digest >> 32;
+  }
+  for (const uint8_t byte : bytes) digest = (digest ^ byte) * kPrime;
+  return digest;
+}
+
+bool FileWindow::HasChanged() const { return StampOf(source_->file.get()) != Stamp(); }
+
 Result<FileWindow> FileWindow::Open(const std::string& path) {
   FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (!file.is_open()) return Error{"cannot read " + path + ": " + ErrnoText(errno)};
@@ -28,6 +70,7 @@ Result<FileWindow> FileWindow::Open(const std::string& path) {
     size = table->size();
     source->frames = std::move(*table);
   }
+  source->stamp = StampOf(file.get());
   source->file = std::move(file);
   return FileWindow(std::move(source), size, kBufferSize);
 }

@@ -18,6 +18,18 @@
 
 namespace shoal {
 
+/// Which file it is, and as it is: for what is kept about it.
+struct FileStamp {
+  uint64_t size = 0;
+  int64_t changed_ns = 0;
+  uint64_t digest = 0;  ///< Of its first and last bytes, and of some between.
+
+  bool operator==(const FileStamp&) const = default;
+};
+
+/// Returns a number that equal bytes have (FNV-1a of 64 bits, by words); no protection from malice.
+[[nodiscard]] uint64_t DigestOf(std::span<const uint8_t> bytes);
+
 class FileWindow {
  public:
   /// Opens a regular file. What is appended to it later is not read. Of a compressed one the bytes
@@ -31,6 +43,11 @@ class FileWindow {
   FileWindow Another(size_t buffer_size = kBufferSize) const;
 
   uint64_t size() const { return size_; }
+
+  /// Returns the stamp of the file as it was opened.
+  const FileStamp& Stamp() const { return source_->stamp; }
+  /// Returns true where the file is not as it was opened.
+  bool HasChanged() const;
 
   /// Returns the bytes [offset, offset + size), fewer at the end of the file. They live until the
   /// next call. Takes `size` bytes of memory, no more than the file has.
@@ -56,6 +73,7 @@ class FileWindow {
  private:
   struct Source {
     FileDescriptor file;
+    FileStamp stamp;
     std::optional<FrameTable> frames;  ///< Of a compressed log.
   };
 

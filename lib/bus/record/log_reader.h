@@ -59,6 +59,9 @@ class LogReader {
   int64_t num_damages() const { return num_damages_; }
 
   uint64_t size() const { return file_.size(); }
+  /// Which file it is, as it was opened, and whether it is another by now.
+  const FileStamp& Stamp() const { return file_.Stamp(); }
+  bool HasChanged() const { return file_.HasChanged(); }
   const std::string& path() const { return path_; }
 
  private:

@@ -56,25 +56,31 @@ bool IsSelected(const LogSelection& selection, const LogEvent& event) {
 
 bool ReportUnmatched(const LogReader& reader, const LogSelection& selection,
                      const std::set<std::string, std::less<>>& channels, std::ostream& err) {
+  return ReportUnmatched(reader.path(), {.only = selection.channels, .without = selection.without},
+                         channels, err);
+}
+
+bool ReportUnmatched(const std::string& path, const ChannelChoice& choice,
+                     const std::set<std::string, std::less<>>& channels, std::ostream& err) {
   size_t num_unmatched = 0;
-  std::vector<std::string> globs = selection.channels;
-  globs.insert(globs.end(), selection.without.begin(), selection.without.end());
+  std::vector<std::string> globs = choice.only;
+  globs.insert(globs.end(), choice.without.begin(), choice.without.end());
   for (size_t i = 0; i < globs.size(); ++i) {
     const std::string& glob = globs[i];
     if (std::any_of(channels.begin(), channels.end(),
                     [&](const std::string& channel) { return Matches(glob, channel); })) {
       continue;
     }
-    if (i < selection.channels.size()) ++num_unmatched;
+    if (i < choice.only.size()) ++num_unmatched;
     std::string names;
     for (const std::string& channel : channels) {
       if (!names.empty()) names += ", ";
       AppendQuoted(channel, &names);
     }
-    err << fmt::format("{}: no channel matches '{}'; there are: {}\n", reader.path(), glob,
+    err << fmt::format("{}: no channel matches '{}'; there are: {}\n", path, glob,
                        names.empty() ? "none" : names);
   }
-  return num_unmatched == 0 || num_unmatched < selection.channels.size();
+  return num_unmatched == 0 || num_unmatched < choice.only.size();
 }
 
 }  // namespace shoal

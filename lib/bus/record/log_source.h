@@ -26,8 +26,11 @@ bool ReportDamage(const LogReader& reader, std::ostream& err);
 
 [[nodiscard]] bool IsSelected(const LogSelection& selection, const LogEvent& event);
 
-/// Writes which globs of `selection` match none of `channels`, all those of the log. Returns false
+/// Writes which globs of `choice` match none of `channels`, all those of the log. Returns false
 /// where there are globs and none matches.
+bool ReportUnmatched(const std::string& path, const ChannelChoice& choice,
+                     const std::set<std::string, std::less<>>& channels, std::ostream& err);
+/// The same of a selection.
 bool ReportUnmatched(const LogReader& reader, const LogSelection& selection,
                      const std::set<std::string, std::less<>>& channels, std::ostream& err);
 

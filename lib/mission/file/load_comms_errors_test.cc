@@ -254,6 +254,9 @@ TEST(LoadErrors, ReportOrdersThatShoalSendWouldNotFind) {
   EXPECT_EQ(errors("home"), "");
   EXPECT_NE(errors("ALPHA").find("no order can be called 'ALPHA': is a vehicle"),
             std::string::npos);
+  EXPECT_EQ(errors("").find("no order can be called"), std::string::npos)
+      << "one error is enough: " << errors("");
+  EXPECT_NE(errors(""), "");
   for (const char* name : {"clock", "all", "comms_range", "a b"}) {
     EXPECT_NE(errors(name).find("no order can be called"), std::string::npos) << name;
   }

@@ -47,6 +47,7 @@ void CheckGroup(const MessageEvent& event, const Mission& mission, const TablePl
 
 /// `shoal send` knows orders by names that mean nothing else.
 void CheckOrderName(const std::string& name, const Mission& mission, const TablePlace& place) {
+  if (name.empty()) return;  // Which its key refuses.
   std::string problem = NameProblem(name);
   if (mission.FindVehicle(name) != nullptr) problem = "is a vehicle";
   if (FindControl(name) != nullptr) problem = "is a rule of the broker";

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <string_view>
 
+#include "lib/base/text/letters.h"
 #include "lib/run/command_line/find_program.h"
 #include "lib/run/run/run_registry.h"
 
@@ -66,13 +69,18 @@ std::vector<std::string> ParticipantEnvironment(const std::string& name,
   for (const std::string& vehicle : VehicleNames(context.mission)) {
     vehicles += (vehicles.empty() ? "" : ",") + vehicle;
   }
-  return {fmt::format("SHOAL_PORT={}", context.ports.base()),
-          fmt::format("SHOAL_LAYOUT={}", Name(context.ports.layout())),
-          fmt::format("SHOAL_MISSION_ID={}", context.mission_id),
-          fmt::format("SHOAL_PARTICIPANT={}", name),
-          fmt::format("SHOAL_VEHICLES={}", vehicles),
-          fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(context.mission.file).string()),
-          fmt::format("{}={}", kSecretFileVariable, SecretPath(context.ports.base()))};
+  std::vector<std::string> variables = {
+      fmt::format("SHOAL_PORT={}", context.ports.base()),
+      fmt::format("SHOAL_LAYOUT={}", Name(context.ports.layout())),
+      fmt::format("SHOAL_MISSION_ID={}", context.mission_id),
+      fmt::format("SHOAL_PARTICIPANT={}", name),
+      fmt::format("SHOAL_VEHICLES={}", vehicles),
+      fmt::format("{}={}", kSecretFileVariable, SecretPath(context.ports.base()))};
+  // The playback of a log may have none.
+  if (const std::string& file = context.mission.file; !file.empty()) {
+    variables.push_back(fmt::format("SHOAL_MISSION_FILE={}", fs::absolute(file).string()));
+  }
+  return variables;
 }
 
 std::vector<std::string> MissingPrograms(const Mission& mission,
@@ -118,13 +126,30 @@ Result<ChildCommand> ViewerCommand(const LaunchContext& context) {
   return command;
 }
 
+std::string ShellVariables(const std::vector<std::string>& variables) {
+  std::string text;
+  for (const std::string& each : variables) {
+    const size_t at = each.find('=') + 1;
+    const std::string value = each.substr(at);
+    const bool is_plain = std::all_of(value.begin(), value.end(), [](char c) {
+      return IsNameCharacter(c) || std::string_view("/.,:+-").find(c) != std::string_view::npos;
+    });
+    text += (text.empty() ? "" : " ") + each.substr(0, at);
+    if (is_plain) {
+      text += value;
+      continue;
+    }
+    text += '\'';
+    for (const char c : value) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += '\'';
+  }
+  return text;
+}
+
 std::string HandCommand(const RosterEntry& entry, const LaunchContext& context) {
   if (entry.app.empty()) {
-    std::string variables;
-    for (const std::string& each : ParticipantEnvironment(entry.name, context)) {
-      variables += each + " ";
-    }
-    return variables;  // To be pasted before the user's command.
+    // To be pasted before the user's command.
+    return ShellVariables(ParticipantEnvironment(entry.name, context)) + " ";
   }
   const std::string mission = fs::absolute(context.mission.file).lexically_normal().string();
   std::string command = fmt::format("{}/{} --mission {} --port {}", ExecutableDirectory(),

@@ -57,6 +57,9 @@ struct LaunchContext {
 std::vector<std::string> MissingPrograms(const Mission& mission,
                                          const std::vector<RosterProcess>& processes);
 
+/// Returns variables, as ParticipantEnvironment has them, as a shell takes them before a command.
+std::string ShellVariables(const std::vector<std::string>& variables);
+
 /// Returns the command line for a participant that a user starts.
 std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
 

@@ -201,6 +201,10 @@ void CommandDesk::Settle() {
     }
     record->reason = each.clock ? each.clock->refusal() : Refusals(each.watch);
     record->state = record->reason.empty() ? "taken" : "refused";
+    if (const std::string done = each.clock ? "" : DoneBesideRefusals(each.watch.answers());
+        !done.empty()) {
+      record->reason += "; done all the same: " + done;
+    }
     return true;
   });
 }

@@ -139,7 +139,9 @@ TEST_F(Desk, ReportsWhichOfSeveralVehiclesRefusedAndWhy) {
   Take("helm_alpha", "command: deploy");
   Refuse("helm_bravo", "HELM_COMMAND refused: deploy: all-stop by command, send resume");
   Run();
-  EXPECT_EQ(StateOf(id), "refused: bravo: deploy: all-stop by command, send resume");
+  EXPECT_EQ(StateOf(id),
+            "refused: bravo: deploy: all-stop by command, send resume; done all the same: alpha: "
+            "deploy");
 }
 
 TEST_F(Desk, NamesNoVehicleWhereOnlyOneWasMeant) {

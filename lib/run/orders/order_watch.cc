@@ -1,5 +1,7 @@
 #include "lib/run/orders/order_watch.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <string_view>
@@ -154,6 +156,20 @@ void OrderWatch::Sent(int64_t now_us, const std::vector<const OrderWatch*>& earl
 bool OrderWatch::IsSettled() const {
   return std::all_of(answers_.begin(), answers_.end(),
                      [](const Answer& each) { return each.outcome != OrderOutcome::kOpen; });
+}
+
+std::string DoneBesideRefusals(const std::vector<OrderWatch::Answer>& answers) {
+  constexpr std::string_view kTakenWord = "command: ";
+  std::string done;
+  bool is_any_refused = false;
+  for (const OrderWatch::Answer& answer : answers) {
+    is_any_refused = is_any_refused || answer.outcome == OrderOutcome::kRefused;
+    if (answer.outcome != OrderOutcome::kTaken) continue;
+    std::string_view what = answer.trace.taken;
+    if (what.starts_with(kTakenWord)) what.remove_prefix(kTakenWord.size());
+    done += fmt::format("{}{}: {}", done.empty() ? "" : "; ", answer.trace.participant, what);
+  }
+  return is_any_refused ? done : "";
 }
 
 }  // namespace shoal

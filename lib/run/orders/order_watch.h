@@ -71,4 +71,8 @@ class OrderWatch {
   int64_t next_request_us_ = 0;
 };
 
+/// Of an order that some refused: what was done all the same, "alpha: deploy; bravo: set"; empty
+/// where nothing was refused, or nothing done.
+[[nodiscard]] std::string DoneBesideRefusals(const std::vector<OrderWatch::Answer>& answers);
+
 }  // namespace shoal

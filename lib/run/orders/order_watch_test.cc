@@ -173,4 +173,25 @@ TEST(OrderWatch, SurvivesPagesThatNoAppWrites) {
   }
 }
 
+TEST(OrderWatch, NamesWhatWasDoneWhereAPartWasRefused) {
+  Helm alpha{.vehicle = "alpha", .log = {}};
+  Helm bravo{.vehicle = "bravo", .log = {}};
+  OrderWatch watch({Trace("alpha", "set"), Trace("alpha", "deploy"), Trace("bravo", "deploy")});
+  watch.Due(0);
+  watch.OnPage(alpha.Page(), 0);
+  watch.OnPage(bravo.Page(), 0);
+  watch.Sent(0, {});
+  alpha.Take("set");
+  alpha.Refuse("deploy: all-stop by command, send resume");
+  watch.OnPage(alpha.Page(), kSecond_us);
+  EXPECT_EQ(DoneBesideRefusals(watch.answers()), "alpha: set");
+  bravo.Take("deploy");
+  watch.OnPage(bravo.Page(), kSecond_us);
+  EXPECT_EQ(DoneBesideRefusals(watch.answers()), "alpha: set; bravo: deploy");
+  OrderWatch all_taken = SentTo(bravo, "deploy");
+  bravo.Take("deploy");
+  all_taken.OnPage(bravo.Page(), kSecond_us);
+  EXPECT_EQ(DoneBesideRefusals(all_taken.answers()), "") << "nothing was refused";
+}
+
 }  // namespace shoal::order_watch_test

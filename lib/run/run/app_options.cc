@@ -10,6 +10,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/bus/channels.h"
 #include "lib/run/command_line/command.h"
+#include "lib/run/run/log_arguments.h"
 
 namespace shoal {
 
@@ -38,17 +39,6 @@ std::string Rows(std::string_view app, bool published) {
 }
 
 }  // namespace
-
-void AddChannelChoice(Command command, ChannelChoice* choice) {
-  command
-      .AddOption("--channels", &choice->only,
-                 "Log only these channels, e.g. 'NAV_*'; * and ? are wild")
-      .Repeatable();
-  command
-      .AddOption("--without", &choice->without,
-                 "Leave these channels out of the log, e.g. VIEW_COMMS_PULSE; * and ? are wild")
-      .Repeatable();
-}
 
 std::string InterfaceText(const AppInfo& info) {
   if (info.name == "recorder") {

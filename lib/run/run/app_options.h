@@ -12,8 +12,6 @@
 
 namespace shoal {
 
-class Command;
-
 struct Mission;
 struct Vehicle;
 
@@ -46,9 +44,6 @@ struct AppOptions {
 /// Parses the command line; handles --help, --version, --example and --interface; exits with 0 or
 /// kExitUsage where there is nothing more to do.
 AppOptions ParseAppOptionsOrExit(const AppInfo& info, int argc, char** argv);
-
-/// Adds --channels and --without, for what writes a log.
-void AddChannelChoice(Command command, ChannelChoice* choice);
 
 /// Returns which channels an app subscribes to and publishes, from the channel table.
 std::string InterfaceText(const AppInfo& info);

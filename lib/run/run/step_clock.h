@@ -82,6 +82,7 @@ class StepClock {
 
   State state() const { return state_; }
   bool paused() const { return pace_.is_paused(); }
+  double warp() const { return pace_.warp(); }
   int64_t step() const { return step_; }  ///< The last one ticked; -1 before the first.
   /// Mission time of the last step that was run.
   int64_t utime() const;

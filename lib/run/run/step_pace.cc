@@ -15,7 +15,7 @@ namespace {
 constexpr int64_t kMaxCatchUp_us = 200'000;
 constexpr double kHighestWarp = 1e6;
 /// No step is due later than a century from the one before; farther times would not fit.
-constexpr double kFarthest_us = 3e15;
+constexpr double kFarthestAhead_us = 3e15;
 constexpr int64_t kFactorSpan_us = 1'000'000;
 /// The first value after a change comes sooner.
 constexpr int64_t kFirstFactorSpan_us = 500'000;
@@ -41,7 +41,7 @@ int64_t StepPace::DueTime() const {
   if (warp_ <= 0) return 0;
   const double mission_us =
       static_cast<double>(step_ + 1 - origin_step_) * static_cast<double>(tick_us_);
-  return origin_us_ + static_cast<int64_t>(std::min(mission_us / warp_, kFarthest_us));
+  return origin_us_ + static_cast<int64_t>(std::min(mission_us / warp_, kFarthestAhead_us));
 }
 
 void StepPace::ForgiveStall(int64_t wall_us) {

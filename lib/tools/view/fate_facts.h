@@ -15,6 +15,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "lib/base/time/time_units.h"
 #include "lib/comms/routing/fate.h"
 #include "shoal/fate_medium_t.hpp"
 #include "shoal/fate_t.hpp"
@@ -70,13 +71,6 @@ struct FateView {
   std::vector<std::string_view> colliders = {};
   std::string_view medium = {};  ///< Empty: none, or not known.
 };
-
-/// Times farther from the epoch than this (3000 years) are clamped to it, so that differences of
-/// two never overflow.
-inline constexpr int64_t kFarthest_us = 100'000'000'000'000'000;
-[[nodiscard]] inline int64_t PlausibleUtime(int64_t utime) {
-  return utime > kFarthest_us ? kFarthest_us : utime < -kFarthest_us ? -kFarthest_us : utime;
-}
 
 /// A decoded message of COMMS_FATES. Its memory is used again by the next ReadFates.
 struct FatesView {

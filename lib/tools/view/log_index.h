@@ -13,11 +13,11 @@
 #include <vector>
 
 #include "lib/bus/record/log_reader.h"
+#include "lib/bus/record/recorded_timeline.h"
 #include "lib/tools/view/event_watch.h"
 #include "lib/tools/view/link_book.h"
 #include "lib/tools/view/recorded_charts.h"
 #include "lib/tools/view/recorded_survey.h"
-#include "lib/tools/view/recorded_timeline.h"
 #include "lib/tools/view/scene.h"
 #include "lib/tools/view/trail.h"
 

@@ -43,17 +43,11 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
   view->index_ =
       BuildLogIndex(&view->reader_, &scene, view->mission_, log->survey.stamps, options.progress);
   NoteTroubles(view->reader_, log->survey, view->index_, &view->notes_);
-  const std::string floor = FloorJson(view->mission_, &view->notes_);
-  Mission shown = view->mission_;
-  if (!log->knows_mission) shown.duration_s = view->end_s();
-  view->setup_json_ = shoal::SetupJson(shown,
-                                       {.mode = "recorded",
-                                        .boot = options.boot,
-                                        .knows_models = log->knows_mission,
-                                        .begin_s = view->begin_s(),
-                                        .end_s = view->end_s(),
-                                        .notes = view->notes_},
-                                       floor);
+  view->floor_json_ = FloorJson(view->mission_, &view->notes_);
+  view->shown_ = view->mission_;
+  view->knows_mission_ = log->knows_mission;
+  if (!log->knows_mission) view->shown_.duration_s = view->end_s();
+  view->setup_json_ = view->MakeSetupJson(options.boot, view->notes_);
   view->trails_json_ = shoal::TrailsJson(scene, view->index_.trails);
   view->events_json_ = shoal::EventsJson(view->index_.events, view->blank_.start_utime());
   return view;
@@ -98,6 +92,24 @@ std::unique_ptr<FateCursor> RecordedView::FatesAt(int64_t line_us) {
   if (!cursor) cursor = std::make_unique<FateCursor>(reader_.Another(), stamps_, keyframe);
   cursor->GoTo(line_us);
   return cursor;
+}
+
+std::string RecordedView::MakeSetupJson(const std::string& boot,
+                                        const std::vector<std::string>& notes) const {
+  return shoal::SetupJson(shown_,
+                          {.mode = "recorded",
+                           .boot = boot,
+                           .knows_models = knows_mission_,
+                           .begin_s = begin_s(),
+                           .end_s = end_s(),
+                           .notes = notes},
+                          floor_json_);
+}
+
+std::string RecordedView::SetupJsonWith(const std::string& boot, const std::string& note) const {
+  std::vector<std::string> notes = notes_;
+  notes.insert(notes.begin(), note);
+  return MakeSetupJson(boot, notes);
 }
 
 std::string RecordedView::SetupJson(bool /*commands*/) { return setup_json_; }

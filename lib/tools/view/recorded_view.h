@@ -48,6 +48,9 @@ class RecordedView : public ViewSource {
   double begin_s() const { return Seconds(index_.begin_us); }
   double end_s() const { return Seconds(index_.end_us); }
 
+  /// Returns the setup with another start's name and one more note.
+  std::string SetupJsonWith(const std::string& boot, const std::string& note) const;
+
   // Times outside of the log are clamped to it.
   std::string SetupJson(bool commands) override;
   std::string FrameJson(double t_s) override;
@@ -64,6 +67,7 @@ class RecordedView : public ViewSource {
  private:
   RecordedView(LogReader reader, LogStamps stamps, Mission mission, bool knows_rules);
 
+  std::string MakeSetupJson(const std::string& boot, const std::vector<std::string>& notes) const;
   int64_t LineOf(double t_s) const;
   /// Returns a cursor at `line_us`; give it back to the idle ones.
   std::unique_ptr<SceneCursor> SceneAt(int64_t line_us);
@@ -77,6 +81,9 @@ class RecordedView : public ViewSource {
   const Scene blank_;  ///< Has seen nothing.
   LogIndex index_;
   std::vector<std::string> notes_;
+  Mission shown_;  ///< As the setup has it.
+  bool knows_mission_ = false;
+  std::string floor_json_;
   std::string setup_json_;
   std::string trails_json_;
   std::string events_json_;

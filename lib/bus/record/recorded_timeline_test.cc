@@ -1,4 +1,4 @@
-#include "lib/tools/view/recorded_timeline.h"
+#include "lib/bus/record/recorded_timeline.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -10,6 +10,9 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
+
+#include "lib/base/codec/little_endian.h"
 
 namespace shoal {
 
@@ -34,6 +37,11 @@ class RecordedTimeline {
 
   int64_t num_odd() const { return num_odd_; }        ///< Times that did not move the line.
   int64_t num_shifts() const { return num_shifts_; }  ///< Clocks that went on from elsewhere.
+
+  /// Appends all of it, for an index that is kept (lib/bus/record/index_file.h).
+  void AppendTo(std::vector<uint8_t>* bytes) const;
+  /// Becomes what AppendTo has appended. Returns false for bytes that no line can have made.
+  [[nodiscard]] bool TakeFrom(LittleEndianReader* reader);
 
  private:
   void DoubtTime(int64_t line_us);
