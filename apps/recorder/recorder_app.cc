@@ -14,7 +14,7 @@ constexpr size_t kMaxChannelsShown = 500;
 }  // namespace
 
 RecorderApp::RecorderApp(const RecorderOptions& options, Bus& bus)
-    : options_(options), utime_(options.start_utime) {
+    : options_(options), utime_(options.start_utime), last_(channels_.end()) {
   Result<LogWriter> writer = LogWriter::Create(options_.path);
   if (writer.ok()) {
     writer_.emplace(std::move(*writer));
@@ -25,12 +25,16 @@ RecorderApp::RecorderApp(const RecorderOptions& options, Bus& bus)
 }
 
 RecorderApp::ChannelCount& RecorderApp::CountOf(std::string_view channel) {
-  const auto found = channels_.find(channel);
-  if (found != channels_.end()) return found->second;
-  const bool is_logged = channel != kLcmSelfTest && (options_.log_all || IsLogged(channel)) &&
-                         options_.channels.Takes(channel);
-  return channels_.emplace(std::string(channel), ChannelCount{.is_logged = is_logged})
-      .first->second;
+  auto found = last_;
+  if (found != channels_.end() && found->first != channel) ++found;
+  if (found == channels_.end() || found->first != channel) found = channels_.find(channel);
+  if (found == channels_.end()) {
+    const bool is_logged = channel != kLcmSelfTest && (options_.log_all || IsLogged(channel)) &&
+                           options_.channels.Takes(channel);
+    found = channels_.emplace(std::string(channel), ChannelCount{.is_logged = is_logged}).first;
+  }
+  last_ = found;
+  return found->second;
 }
 
 void RecorderApp::Record(const Message& message) {

@@ -60,7 +60,10 @@ class RecorderApp : public App {
   LogWriterCounters counters_;       ///< Of the writer.
   int64_t utime_;                    ///< Of the step whose messages are being handled.
   int64_t dropped_ = 0;              ///< Without a writer.
-  std::map<std::string, ChannelCount, std::less<>> channels_;
+  using Channels = std::map<std::string, ChannelCount, std::less<>>;
+  Channels channels_;
+  Channels::iterator
+      last_;  ///< Of the last message: those of a step come in the order of channels.
   std::string error_;
   StatusLog log_;
 };

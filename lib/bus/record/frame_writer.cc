@@ -17,6 +17,8 @@ namespace {
 /// The fastest of zstd's usual levels: logs become a twentieth of their size by it, and a tenth
 /// less by the slower ones. The same level always: equal logs are equal files.
 constexpr int kLevel = 1;
+/// Larger buffers are not used again: an event may be of any size.
+constexpr size_t kMaxSpare_bytes = size_t{4} << 20;
 
 void PutLittleEndian(uint32_t value, std::vector<uint8_t>* bytes) {
   for (int shift = 0; shift < 32; shift += 8) {
@@ -30,7 +32,7 @@ void PutOwnMark(std::vector<uint8_t>* bytes) {
   bytes->insert(bytes->end(), kOwnMark.begin(), kOwnMark.end());
 }
 
-bool WriteBytes(int fd, const std::vector<uint8_t>& bytes) {
+bool WriteBytes(int fd, std::span<const uint8_t> bytes) {
   return WriteAll(fd, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
@@ -38,13 +40,15 @@ struct FreeContext {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
 };
 
-/// Returns the frame of `bytes`, with their size and checksum.
-void Compress(ZSTD_CCtx* context, const std::vector<uint8_t>& bytes, std::vector<uint8_t>* frame) {
-  frame->resize(ZSTD_compressBound(bytes.size()));
+/// Returns the frame of `bytes`, with their size and checksum, in `room`, which grows as it must.
+std::span<const uint8_t> Compress(ZSTD_CCtx* context, const std::vector<uint8_t>& bytes,
+                                  std::vector<uint8_t>* room) {
+  const size_t bound = ZSTD_compressBound(bytes.size());
+  if (room->size() < bound) room->resize(bound);
   const size_t size =
-      ZSTD_compress2(context, frame->data(), frame->size(), bytes.data(), bytes.size());
+      ZSTD_compress2(context, room->data(), room->size(), bytes.data(), bytes.size());
   SHOAL_CHECK(ZSTD_isError(size) == 0, "zstd compresses into a buffer of its bound");
-  frame->resize(size);
+  return std::span<const uint8_t>(*room).first(size);
 }
 
 }  // namespace
@@ -54,14 +58,19 @@ FrameWriter::FrameWriter(FileDescriptor file)
 
 FrameWriter::~FrameWriter() { End(); }
 
-bool FrameWriter::Add(std::vector<uint8_t> bytes, int64_t num_events) {
+bool FrameWriter::Add(std::vector<uint8_t>* bytes, int64_t num_events) {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return waiting_.size() < kMaxWaiting || error_number_ != 0; });
   if (error_number_ != 0) {
-    Drop(num_events, bytes.size());
+    Drop(num_events, bytes->size());
+    bytes->clear();
     return false;
   }
-  waiting_.push_back({std::move(bytes), num_events});
+  waiting_.push_back({std::exchange(*bytes, {}), num_events});
+  if (!spare_.empty()) {
+    std::swap(*bytes, spare_.back());
+    spare_.pop_back();
+  }
   changed_.notify_all();
   return true;
 }
@@ -71,32 +80,35 @@ void FrameWriter::Work() {
   SHOAL_CHECK(context != nullptr, "zstd has memory for a context");
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_compressionLevel, kLevel);
   ZSTD_CCtx_setParameter(context.get(), ZSTD_c_checksumFlag, 1);
-  PutOwnMark(&compressed_);
-  const int mark_error_number = Write(0) ? 0 : errno;
+  std::vector<uint8_t> mark;
+  PutOwnMark(&mark);
+  const int mark_error_number = Write(mark, 0) ? 0 : errno;
   std::unique_lock lock(mutex_);
   error_number_ = mark_error_number;
   while (true) {
     changed_.wait(lock, [&] { return !waiting_.empty() || is_over_; });
     if (waiting_.empty()) return;
-    const Waiting frame = std::move(waiting_.front());
+    Waiting frame = std::move(waiting_.front());
     waiting_.pop_front();
     if (error_number_ == 0) {
       lock.unlock();
-      Compress(context.get(), frame.bytes, &compressed_);
-      const int error_number = Write(frame.bytes.size()) ? 0 : errno;
+      const auto compressed = Compress(context.get(), frame.bytes, &compressed_);
+      const int error_number = Write(compressed, frame.bytes.size()) ? 0 : errno;
       lock.lock();
       error_number_ = error_number;
     }
     if (error_number_ != 0) Drop(frame.num_events, frame.bytes.size());
+    frame.bytes.clear();
+    if (frame.bytes.capacity() <= kMaxSpare_bytes) spare_.push_back(std::move(frame.bytes));
     changed_.notify_all();
   }
 }
 
-/// Writes the frame in `compressed_`, which holds `size` bytes of the log; false: errno states why.
-bool FrameWriter::Write(size_t size) {
-  if (WriteBytes(file_.get(), compressed_)) {
-    written_.emplace_back(compressed_.size(), size);
-    file_size_ += compressed_.size();
+/// Writes a frame, which holds `size` bytes of the log; false: errno states why.
+bool FrameWriter::Write(std::span<const uint8_t> compressed, size_t size) {
+  if (WriteBytes(file_.get(), compressed)) {
+    written_.emplace_back(compressed.size(), size);
+    file_size_ += compressed.size();
     return true;
   }
   const int error_number = errno;

@@ -1,7 +1,7 @@
 // Writes the frames of a compressed log (frame_table.h) on a thread of its own.
 //
 //   FrameWriter writer(std::move(file));
-//   writer.Add(bytes, num_events);   // one frame
+//   writer.Add(&bytes, num_events);   // one frame
 //   if (!writer.Close()) return Fail(writer.error_number());
 #pragma once
 
@@ -10,6 +10,7 @@
 #include <deque>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -27,9 +28,10 @@ class FrameWriter {
   /// Writes what was added, without the list of frames where Close() was not called.
   ~FrameWriter();
 
-  /// Takes a frame; waits while kMaxWaiting of them are not compressed yet. Returns false after an
-  /// error, which is that of an earlier frame; then this one is dropped.
-  bool Add(std::vector<uint8_t> bytes, int64_t num_events);
+  /// Takes a frame and leaves `bytes` empty, with the memory of an earlier one; waits while
+  /// kMaxWaiting of them are not compressed yet. Returns false after an error, which is that of an
+  /// earlier frame; then this one is dropped.
+  bool Add(std::vector<uint8_t>* bytes, int64_t num_events);
 
   /// Waits until all are written, writes the list of frames and closes the file; the last call.
   /// Returns false where anything failed.
@@ -54,18 +56,19 @@ class FrameWriter {
   static constexpr size_t kMaxWaiting = 4;
 
   void Work();
-  bool Write(size_t size);
+  bool Write(std::span<const uint8_t> compressed, size_t size);
   void Drop(int64_t num_events, size_t num_bytes);
   void End();
 
   FileDescriptor file_;
-  std::vector<uint8_t> compressed_;                     ///< Of the thread.
+  std::vector<uint8_t> compressed_;                     ///< Of the thread: room for a frame.
   std::vector<std::pair<uint32_t, uint32_t>> written_;  ///< Of the thread: sizes in file and log.
   uint64_t file_size_ = 0;                              ///< Of the thread.
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   std::deque<Waiting> waiting_;
+  std::vector<std::vector<uint8_t>> spare_;  ///< Empty: the memory of frames that were written.
   bool is_over_ = false;
   int error_number_ = 0;
   Dropped dropped_;

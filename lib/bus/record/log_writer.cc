@@ -3,6 +3,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -56,6 +57,7 @@ LogWriter::LogWriter(std::string path, FileDescriptor file, bool is_compressed)
     : path_(std::move(path)) {
   if (is_compressed) {
     frames_ = std::make_unique<FrameWriter>(std::move(file));
+    pending_.reserve(kLogFrame_bytes);
   } else {
     file_ = std::move(file);
   }
@@ -102,14 +104,14 @@ bool LogWriter::Take(int64_t number, int64_t utime, std::string_view channel,
     if (!pending_.empty() && (size > kLogFrame_bytes || is_old)) CutFrame();
     if (pending_.empty()) frame_utime_ = utime;
   }
-  std::array<uint8_t, kLogHeaderSize> header;
-  uint8_t* out = PutBigEndian(kLogMagic, 4, header.data());
+  std::array<uint8_t, kLogHeaderSize + kMaxLogChannelLength> head;
+  uint8_t* out = PutBigEndian(kLogMagic, 4, head.data());
   out = PutBigEndian(static_cast<uint64_t>(number), 8, out);
   out = PutBigEndian(static_cast<uint64_t>(utime), 8, out);
   out = PutBigEndian(channel.size(), 4, out);
-  PutBigEndian(data.size(), 4, out);
-  pending_.insert(pending_.end(), header.begin(), header.end());
-  pending_.insert(pending_.end(), channel.begin(), channel.end());
+  out = PutBigEndian(data.size(), 4, out);
+  out = std::copy(channel.begin(), channel.end(), out);
+  pending_.insert(pending_.end(), head.data(), out);
   pending_.insert(pending_.end(), data.begin(), data.end());
   ++pending_events_;
   ++counters_.events;
@@ -119,7 +121,7 @@ bool LogWriter::Take(int64_t number, int64_t utime, std::string_view channel,
 
 void LogWriter::CutFrame() {
   if (pending_.empty()) return;
-  frames_->Add(std::exchange(pending_, {}), std::exchange(pending_events_, 0));
+  frames_->Add(&pending_, std::exchange(pending_events_, 0));
 }
 
 std::optional<Error> LogWriter::Flush() {
