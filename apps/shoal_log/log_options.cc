@@ -15,6 +15,7 @@
 #include "lib/run/command_line/tool_commands.h"
 #include "lib/run/moos_text/alog.h"
 #include "lib/run/run/log_arguments.h"
+#include "lib/run/run/reading_bar.h"
 
 namespace shoal {
 
@@ -74,7 +75,11 @@ void AddLogCommands(Command log, CommandAction* action) {
   info.AddOption("LOG", &info_options->path, kLogArgument).Required();
   AddLogTypes(info, &info_options->types);
   info.Callback([info_options, action] {
-    *action = [info_options] { return LogInfo(*info_options, std::cout, std::cerr); };
+    *action = [info_options] {
+      ReadingBar bar(info_options->path);
+      info_options->progress = [&](double share) { bar.Show(share); };
+      return LogInfo(*info_options, std::cout, std::cerr);
+    };
   });
 
   const Command cat = log.AddSubcommand("cat", "Messages as text, one line each");

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "apps/viewer/access.h"
+#include "lib/run/run/reading_bar.h"
 
 namespace shoal {
 
@@ -80,9 +81,11 @@ Result<std::unique_ptr<GrowingLog>> GrowingLog::Open(const std::string& path,
 }
 
 void GrowingLog::ReadAll(const std::string& path, const std::string& mission_file) {
+  ReadingBar bar(path);
   Result<std::unique_ptr<RecordedView>> whole = RecordedView::Open(
-      path, {.mission_file = mission_file, .boot = NewToken(), .progress = [this](double share) {
+      path, {.mission_file = mission_file, .boot = NewToken(), .progress = [&](double share) {
                part_->SetShare(share);
+               bar.Show(share);
                return !stopped_;
              }});
   if (stopped_) return;

@@ -13,6 +13,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/bus/record/index_file.h"
+
 namespace shoal {
 
 /// Which events of a log.
@@ -28,7 +30,10 @@ struct LogSelection {
 
 struct LogInfoOptions {
   std::string path;
-  std::vector<std::string> types = {};  ///< .lcm files of types that are not shoal's.
+  std::vector<std::string> types = {};              ///< .lcm files of types that are not shoal's.
+  std::function<void(double share)> progress = {};  ///< Called now and then while it reads.
+  /// What was counted in a log with as many bytes is kept beside it (index_file.h), and used.
+  uint64_t least_indexed_bytes = kLeastIndexedLog_bytes;
 };
 
 /// Prints time span, events, bytes; per channel: type, count, rate in Hz of log time, first and

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <limits>
 #include <sstream>
 
@@ -85,6 +86,38 @@ using LogCat_ = LogCommandsTest;
 using LogInfo_ = LogCommandsTest;
 using LogDiff_ = LogCommandsTest;
 using LogCsv_ = LogCommandsTest;
+
+TEST_F(LogInfo_, IsKeptBesideTheLogAndShownAgain) {
+  for (const char* name : {"a.lcm", "a.lcm.zst"}) {
+    const std::string path = Log(name, {{12'300'000, "DESIRED_ALPHA", Desired(12'300'000, 90)},
+                                        {12'400'000, "OWN", {1, 2, 3, 4, 5, 6, 7, 8, 9}},
+                                        {12'400'000, "COMMS_FATES", Bytes(3)}});
+    const LogInfoOptions options{.path = path, .least_indexed_bytes = 0};
+    const std::string read = Info(options);
+    EXPECT_NE(read.find("fingerprint 0x0102030405060708"), std::string::npos) << read;
+    ASSERT_TRUE(std::filesystem::exists(path + ".idx"));
+    EXPECT_EQ(Info(options), read);
+    // What is shown is what is kept: with another number in it, and where that cannot be.
+    Bytes index = FileBytes(path + ".idx");
+    WriteBytes(path + ".idx", Bytes(index.begin(), index.end() - 1));
+    EXPECT_EQ(Info(options), read) << "damaged";
+    EXPECT_EQ(FileBytes(path + ".idx"), index) << "and rewritten";
+    auto log = LogReader::Open(path);
+    ASSERT_TRUE(log.ok());
+    const std::string key(index.begin() + 44, index.begin() + 44 + index[40]);
+    const auto kept = ReadIndexPart(*log, IndexPart::kInfo, key, 0);
+    ASSERT_TRUE(kept);
+    int num_shown = 0;
+    for (size_t i = 0; i < kept->size(); ++i) {
+      auto other = *kept;
+      other[i] ^= 0x41;
+      KeepIndexPart(*log, IndexPart::kInfo, key, other, 0);
+      if (Info(options) != read) ++num_shown;
+      EXPECT_EQ(out_.str().find('\033'), std::string::npos);
+    }
+    EXPECT_GT(num_shown, 10) << "numbers and names that can be";
+  }
+}
 
 TEST_F(LogCat_, PrintsOneLinePerMessage) {
   const std::string path =

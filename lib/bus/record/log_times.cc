@@ -206,6 +206,7 @@ LogTimes TimesOf(const LogReader& log, const ReadingProgress& progress, uint64_t
       progress(static_cast<double>(event->offset) / static_cast<double>(reader.size()));
     }
   }
+  if (progress) progress(1);
   LogTimes read = times.Finish();
   if (read.num_events > 0) {
     KeepIndexPart(log, IndexPart::kTimes, kTimesKey, BytesOf(read), least_bytes);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 #include "lib/base/text/terminal_text.h"
 #include "lib/run/run/run_app.h"
@@ -24,6 +25,7 @@ ReadingBar::ReadingBar(std::string path)
       next_us_(MonotonicMicroseconds() + kFirstAfter_us) {}
 
 void ReadingBar::Show(double share) {
+  if (share >= 1) return Clear();
   if (!is_terminal_ || MonotonicMicroseconds() < next_us_) return;
   next_us_ = MonotonicMicroseconds() + kBetween_us;
   is_shown_ = true;
@@ -34,8 +36,10 @@ void ReadingBar::Show(double share) {
   std::fflush(stderr);
 }
 
-ReadingBar::~ReadingBar() {
-  if (is_shown_) fmt::print(stderr, "\r\033[K");
+void ReadingBar::Clear() {
+  if (std::exchange(is_shown_, false)) fmt::print(stderr, "\r\033[K");
 }
+
+ReadingBar::~ReadingBar() { Clear(); }
 
 }  // namespace shoal

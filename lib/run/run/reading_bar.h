@@ -17,9 +17,12 @@ class ReadingBar {
   ReadingBar(const ReadingBar&) = delete;
   ReadingBar& operator=(const ReadingBar&) = delete;
 
+  /// Of 1 and more the bar goes.
   void Show(double share);
 
  private:
+  void Clear();
+
   const std::string path_;
   const bool is_terminal_;
   int64_t next_us_;

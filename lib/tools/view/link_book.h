@@ -74,6 +74,8 @@ class LinkBook {
   int64_t num_strange() const { return num_strange_; }
 
  private:
+  friend class IndexArchive;  ///< kept_index.cc, which writes and reads all of it.
+
   /// Returns the name's index; adds it where it is legal and there is room. -1: neither.
   int32_t PlaceOf(std::string_view name);
   int32_t LinkOf(int32_t from, int32_t to);

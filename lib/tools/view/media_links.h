@@ -35,6 +35,8 @@ class MediaLinks {
   size_t num_links() const;
 
  private:
+  friend class IndexArchive;  ///< kept_index.cc, which writes and reads all of it.
+
   std::vector<std::string> vehicles_;
   std::vector<std::pair<std::string, LinkBook>> books_;
 };

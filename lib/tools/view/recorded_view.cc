@@ -6,9 +6,11 @@
 #include <cmath>
 
 #include "lib/base/time/seconds.h"
+#include "lib/bus/record/index_file.h"
 #include "lib/tools/view/events_json.h"
 #include "lib/tools/view/fates_json.h"
 #include "lib/tools/view/frame_json.h"
+#include "lib/tools/view/kept_index.h"
 #include "lib/tools/view/links_json.h"
 #include "lib/tools/view/recorded_log.h"
 #include "lib/tools/view/setup_json.h"
@@ -30,6 +32,33 @@ Scene BlankScene(const Mission& mission, bool knows_rules) {
   return scene;
 }
 
+/// Returns the index that is kept beside the log, or reads the log and keeps its index.
+KeptIndex IndexOf(LogReader* reader, const Scene& blank, const Mission& mission,
+                  const LogSurvey& survey, const RecordedViewOptions& options) {
+  const std::string key = IndexKey(blank, mission, survey.stamps);
+  if (const auto bytes =
+          ReadIndexPart(*reader, IndexPart::kView, key, options.least_indexed_bytes)) {
+    if (std::optional<KeptIndex> kept = IndexFrom(*bytes, blank, reader->size())) {
+      return *std::move(kept);
+    }
+  }
+  Scene scene = blank;
+  bool is_whole = true;
+  KeptIndex kept;
+  kept.index = BuildLogIndex(reader, &scene, mission, survey.stamps, [&](double share) {
+    is_whole = !options.progress || options.progress(share);
+    return is_whole;
+  });
+  for (const SceneVehicle& vehicle : scene.vehicles()) kept.vehicles.push_back(vehicle.name);
+  NoteTroubles(*reader, survey, kept.index, &kept.troubles);
+  if (is_whole && reader->size() >= options.least_indexed_bytes) {
+    if (const auto bytes = IndexBytes(&kept); !bytes.empty()) {
+      KeepIndexPart(*reader, IndexPart::kView, key, bytes, options.least_indexed_bytes);
+    }
+  }
+  return kept;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path,
@@ -39,16 +68,15 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
   std::unique_ptr<RecordedView> view(new RecordedView(std::move(log->reader), log->survey.stamps,
                                                       std::move(log->mission), log->knows_mission));
   view->notes_ = std::move(log->notes);
-  Scene scene = view->blank_;
-  view->index_ =
-      BuildLogIndex(&view->reader_, &scene, view->mission_, log->survey.stamps, options.progress);
-  NoteTroubles(view->reader_, log->survey, view->index_, &view->notes_);
+  KeptIndex kept = IndexOf(&view->reader_, view->blank_, view->mission_, log->survey, options);
+  view->notes_.insert(view->notes_.end(), kept.troubles.begin(), kept.troubles.end());
+  view->index_ = std::move(kept.index);
   view->floor_json_ = FloorJson(view->mission_, &view->notes_);
   view->shown_ = view->mission_;
   view->knows_mission_ = log->knows_mission;
   if (!log->knows_mission) view->shown_.duration_s = view->end_s();
   view->setup_json_ = view->MakeSetupJson(options.boot, view->notes_);
-  view->trails_json_ = shoal::TrailsJson(scene, view->index_.trails);
+  view->trails_json_ = shoal::TrailsJson(kept.vehicles, view->index_.trails);
   view->events_json_ = shoal::EventsJson(view->index_.events, view->blank_.start_utime());
   return view;
 }

@@ -18,6 +18,7 @@
 
 #include "lib/base/check/result.h"
 #include "lib/base/time/seconds.h"
+#include "lib/bus/record/index_file.h"
 #include "lib/mission/model/mission.h"
 #include "lib/tools/view/link_history.h"
 #include "lib/tools/view/log_index.h"
@@ -32,6 +33,8 @@ struct RecordedViewOptions {
   std::vector<std::string> overrides = {};  ///< Of `mission_file`.
   std::string boot = {};                    ///< Names this start of the viewer.
   IndexProgress progress = {};              ///< Of the reading; it may end it.
+  /// The index of a log with as many bytes is kept beside it, and used.
+  uint64_t least_indexed_bytes = kLeastIndexedLog_bytes;
 };
 
 class RecordedView : public ViewSource {

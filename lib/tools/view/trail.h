@@ -29,6 +29,8 @@ class Trail {
   std::span<const TrailPoint> points() const { return points_; }
 
  private:
+  friend class IndexArchive;  ///< kept_index.cc, which writes and reads all of it.
+
   /// Ticks are whole microseconds; sums of them in seconds are not exact.
   static constexpr double kSlack_s = 1e-6;
 

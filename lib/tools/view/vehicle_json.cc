@@ -92,10 +92,16 @@ std::string VehicleJson(const Scene& scene, const SceneVehicle& vehicle,
 }
 
 std::string TrailsJson(const Scene& scene, std::span<const Trail> trails) {
+  std::vector<std::string> names;
+  for (const SceneVehicle& vehicle : scene.vehicles()) names.push_back(vehicle.name);
+  return TrailsJson(names, trails);
+}
+
+std::string TrailsJson(const std::vector<std::string>& names, std::span<const Trail> trails) {
   JsonWriter json;
   json.BeginObject().Integer("begin_s", 0).Key("trails").BeginObject();
-  for (size_t i = 0; i < trails.size() && i < scene.vehicles().size(); ++i) {
-    json.KeyText(scene.vehicles()[i].name).BeginArray();
+  for (size_t i = 0; i < trails.size() && i < names.size(); ++i) {
+    json.KeyText(names[i]).BeginArray();
     for (const TrailPoint& point : trails[i].points()) {
       json.BeginArray()
           .Number(point.t_s, kMilliseconds)

@@ -20,5 +20,8 @@ namespace shoal {
 
 /// Returns the trails of the scene's vehicles, by their place.
 [[nodiscard]] std::string TrailsJson(const Scene& scene, std::span<const Trail> trails);
+/// The same of vehicles by their names.
+[[nodiscard]] std::string TrailsJson(const std::vector<std::string>& names,
+                                     std::span<const Trail> trails);
 
 }  // namespace shoal
