@@ -189,6 +189,9 @@ std::optional<EarlyEnd> RankMission::Load() {
   if (const auto can = CanRunInOneProcess(loaded_.mission); !can.ok()) {
     return Refuse(kExitUsage, can.error());
   }
+  if (!options_.log_channels.TakesAll() && options_.log_path.empty()) {
+    return Refuse(kExitUsage, "--channels and --without need --log FILE: they are of that log");
+  }
   if (std::error_code error; std::filesystem::is_directory(options_.log_path, error)) {
     return Refuse(kExitUsage, fmt::format("--log {} is a folder; name a file", options_.log_path));
   }
@@ -204,7 +207,8 @@ std::optional<EarlyEnd> RankMission::Place() {
 }
 
 std::optional<EarlyEnd> RankMission::Open() {
-  part_.emplace(loaded_.mission, placement_, ranks_.rank(), options_.log_path);
+  part_.emplace(loaded_.mission, placement_, ranks_.rank(), options_.log_path,
+                options_.log_channels);
   const std::vector<std::string> faults = Share("opening the log", part_->Fault());
   for (const std::string& fault : faults) {
     if (!fault.empty()) return Refuse(kExitEnvironment, fault);

@@ -4,12 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "lib/bus/record/channel_choice.h"
+
 namespace shoal {
 
 struct MpiOptions {
   std::string mission_file;
   std::vector<std::string> overrides = {};
-  std::string log_path = {};             ///< Of rank 0; empty: no log.
+  std::string log_path = {};  ///< Of rank 0; empty: no log.
+  ChannelChoice log_channels = {};
   std::vector<std::string> placed = {};  ///< As MakePlacement takes them.
   double give_up_after_s = 60;           ///< Wall time until a rank that does not answer is lost.
   bool shows_times = false;              ///< Prints where each rank's wall time went.

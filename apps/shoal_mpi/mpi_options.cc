@@ -1,6 +1,7 @@
 #include "apps/shoal_mpi/mpi_options.h"
 
 #include "lib/run/command_line/command.h"
+#include "lib/run/run/log_arguments.h"
 
 namespace shoal {
 
@@ -21,7 +22,9 @@ void AddOptions(Command program, MpiOptions* options) {
                  "Override a key of the mission file, e.g. comms.comms_range=100")
       .Repeatable();
   program.AddOption("--log", &options->log_path,
-                    "Rank 0 writes a log of the mission, in place of a file of this name");
+                    "Rank 0 writes a log of the mission, in place of a file of this name; "
+                    "FILE.lcm.zst: compressed");
+  AddChannelChoice(program, &options->log_channels);
   program
       .AddOption("--place", &options->placed,
                  "Vehicles that go to a rank, e.g. 0=alpha,bravo or 1=group:north, or "

@@ -175,7 +175,9 @@ void Player::ObeyKeys(Session* session) {
         Order(session, is_paused_ ? "resume" : "pause");
         break;
       case PlayKey::Kind::kSeekBy:
-        SeekTo(At_s(*session) + key.seconds);
+        // From where the key before it leads to, where that comes at the same time.
+        SeekTo((seek_utime_ ? Seconds(*seek_utime_ - log_.first_utime()) : At_s(*session)) +
+               key.seconds);
         break;
       case PlayKey::Kind::kBegin:
         SeekTo(0);
@@ -201,7 +203,7 @@ void Player::ShowProgress(Session& session) {
   if (options_.quiet || now < next_progress_us_) return;
   next_progress_us_ = now + (terminal_.is_interactive() ? kSecond_us / 4 : 5 * kSecond_us);
   if (const auto awaited = session.clock.Awaited();
-      session.clock.state() == StepClock::State::kGathering) {
+      session.clock.state() == StepClock::State::kGathering && !awaited.empty()) {
     terminal_.ShowProgress(fmt::format("playback waits for {}", fmt::join(awaited, ", ")));
     return;
   }

@@ -112,6 +112,13 @@ TEST_F(Mpi, WritesTheLogAndThePageOfOneProcessForAnyNumberOfRanks) {
   ExpectAsInOneProcess(Own(), {}, {1, 2, 3, 4});
 }
 
+TEST_F(Mpi, WritesTheChosenChannels) {
+  ExpectAsInOneProcess(Own(), {"--channels", "NAV_*", "--without", "NAV_BOAT_1"}, {2});
+  EXPECT_EQ(ReadFile(folder_ / "one.lcm").find("NAV_BOAT_1"), std::string::npos);
+  const Finished without_log = Run(1, {Own(), "--channels", "NAV_*"});
+  EXPECT_EQ(without_log.exit_code, 2) << without_log.output;
+}
+
 TEST_F(Mpi, WritesTheLogOfAcousticNetworks) {
   ExpectAsInOneProcess(MissionFile("acoustic_shared.toml"), {"--set", "mission.duration_s=60"},
                        {2, 3});

@@ -1,10 +1,16 @@
 // `shoal play`: a recording on LCM, with real processes.
 #include <gtest/gtest.h>
+#include <poll.h>
+#include <pty.h>
 #include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <array>
 #include <map>
 #include <sstream>
 #include <thread>
+#include <utility>
 
 #include "lib/bus/bus/channels.h"
 #include "lib/bus/bus/lcm_bus.h"
@@ -126,6 +132,82 @@ TEST_F(Play, RefusesWhatCannotBePlayed) {
             std::string::npos);
   EXPECT_NE(refused({"--channel", "NOPE"}).find("no channel matches 'NOPE'; there are: "),
             std::string::npos);
+}
+
+/// A program at a terminal of its own.
+class AtTerminal {
+ public:
+  AtTerminal(const TestFolder& folder, std::vector<std::string> argv) {
+    std::vector<char*> pointers;
+    for (std::string& each : argv) pointers.push_back(each.data());
+    pointers.push_back(nullptr);
+    const std::string run_dir = (folder / "run").string();
+    pid_ = forkpty(&terminal_, nullptr, nullptr, nullptr);
+    if (pid_ != 0) return;
+    setenv("SHOAL_RUN_DIR", run_dir.c_str(), 1);
+    execv(pointers[0], pointers.data());
+    _exit(127);
+  }
+  ~AtTerminal() {
+    if (pid_ > 0) {
+      kill(pid_, SIGKILL);
+      waitpid(pid_, nullptr, 0);
+    }
+    close(terminal_);
+  }
+  AtTerminal(const AtTerminal&) = delete;
+  AtTerminal& operator=(const AtTerminal&) = delete;
+
+  void Press(std::string_view keys) const {
+    EXPECT_EQ(write(terminal_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
+  }
+  /// Waits until `text` is shown behind what was waited for before.
+  bool Shows(const std::string& text) {
+    return AwaitThat([&] {
+      pollfd input = {.fd = terminal_, .events = POLLIN, .revents = 0};
+      std::array<char, 4096> bytes;
+      if (poll(&input, 1, 10) > 0) {
+        const ssize_t size = read(terminal_, bytes.data(), bytes.size());
+        if (size > 0) shown_.append(bytes.data(), static_cast<size_t>(size));
+      }
+      const size_t at = shown_.find(text);
+      if (at == std::string::npos) return false;
+      shown_.erase(0, at + text.size());
+      return true;
+    });
+  }
+  const std::string& shown() const { return shown_; }
+  int ExitCode() {
+    int status = 0;
+    waitpid(std::exchange(pid_, -1), &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+ private:
+  int terminal_ = -1;
+  pid_t pid_ = -1;
+  std::string shown_;
+};
+
+TEST_F(Play, ObeysTheKeysOfATerminal) {
+  AtTerminal play(folder_, {Program("shoal"), "play", log_, "--from", "100", "--paused"});
+  ASSERT_TRUE(play.Shows("paused")) << play.shown();
+  play.Press("\033[A\033[C");  // A minute and ten seconds on.
+  ASSERT_TRUE(play.Shows("   170.0 of 600.0 s  paused")) << play.shown();
+  play.Press(" ");
+  ASSERT_TRUE(play.Shows("speed 1")) << play.shown();
+  play.Press(" ");
+  ASSERT_TRUE(play.Shows("paused")) << play.shown();
+  play.Press("\033[H");
+  ASSERT_TRUE(play.Shows("     0.0 of 600.0 s  paused")) << play.shown();
+  play.Press("+");
+  play.Press(" ");
+  ASSERT_TRUE(play.Shows("speed 2")) << play.shown();
+  play.Press("0");
+  ASSERT_TRUE(play.Shows("as fast as the receivers")) << play.shown();
+  play.Press("q");
+  ASSERT_TRUE(play.Shows("Played: ")) << play.shown();
+  EXPECT_EQ(play.ExitCode(), 0);
 }
 
 /// A log that nothing lies beside.

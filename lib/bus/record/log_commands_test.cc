@@ -108,14 +108,14 @@ TEST_F(LogInfo_, IsKeptBesideTheLogAndShownAgain) {
     const auto kept = ReadIndexPart(*log, IndexPart::kInfo, key, 0);
     ASSERT_TRUE(kept);
     int num_shown = 0;
-    for (size_t i = 0; i < kept->size(); ++i) {
+    for (size_t i = 0; i < kept->size(); i += 11) {
       auto other = *kept;
       other[i] ^= 0x41;
       KeepIndexPart(*log, IndexPart::kInfo, key, other, 0);
       if (Info(options) != read) ++num_shown;
       EXPECT_EQ(out_.str().find('\033'), std::string::npos);
     }
-    EXPECT_GT(num_shown, 10) << "numbers and names that can be";
+    EXPECT_GT(num_shown, 3) << "numbers and names that can be";
   }
 }
 

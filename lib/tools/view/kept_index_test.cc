@@ -84,7 +84,7 @@ TEST_F(KeptIndexTest, IsUsedWhereItFitsAndNotWithAnotherMission) {
 TEST_F(KeptIndexTest, AnswersWithJsonWhateverItHolds) {
   (void)Open();
   const auto [part, key] = Part();
-  constexpr size_t kTries = 60;
+  constexpr size_t kTries = 24;
   size_t num_taken = 0;
   for (size_t i = 0; i < kTries; ++i) {
     auto bytes = part;
@@ -98,7 +98,7 @@ TEST_F(KeptIndexTest, AnswersWithJsonWhateverItHolds) {
       ASSERT_TRUE(json::accept(answer)) << at;
     }
   }
-  EXPECT_GT(num_taken, 5U) << "numbers that can be";
+  EXPECT_GT(num_taken, 2U) << "numbers that can be";
   EXPECT_LT(num_taken, kTries) << "and others, for which the log is read";
   for (const size_t size : {size_t{0}, size_t{3}, part.size() / 2, part.size() - 1}) {
     Keep({part.begin(), part.begin() + static_cast<ptrdiff_t>(size)}, key);
