@@ -9,7 +9,7 @@ namespace shoal {
 
 namespace {
 
-constexpr double kShareOfLast = 0.2;
+constexpr double kShareOfLast = 0.3;
 constexpr double kJump_deg = 45;
 constexpr double kJump_mps = 1;
 /// Of the way from the least to the farthest distance that counts.

@@ -13,7 +13,7 @@ namespace shoal {
 
 /// Makes the last decision a part of the preference of a behavior that keeps clear:
 ///
-///   (1 - s) f + s (kept course + kept speed) / 2,   s = 0.2
+///   (1 - s) f + s (kept course + kept speed) / 2,   s = 0.3
 ///
 /// where what is kept is 100 at the last decision and falls, as the square of the difference, to 0
 /// at 45 degrees and at 1 m/s: small changes are free, a jump costs all of it. The weight grows by

@@ -55,8 +55,10 @@ struct Conduct {
   std::optional<double> in_extremis_s;  ///< When the other alone could no longer avoid it.
   bool acted_in_extremis = false;       ///< Changed course by 10 degrees or speed by 20 % then.
   bool turned_to_port_in_extremis = false;
-  /// It stood on, and turned 10 degrees to port while the other was on its port side (rule 17 c);
-  /// the turn in which the encounter began does not count.
+  /// It stood on, and turned 10 degrees to port while the other, which had to keep out of the way,
+  /// was on its port side (rule 17 c). Turns for something else do not count: the one in which the
+  /// encounter began, and those back to its way that begin while there is no risk of collision:
+  /// they open, pass in less than 3 s, or would pass at risk_m or farther.
   bool turned_to_port_while_standing_on = false;
 };
 

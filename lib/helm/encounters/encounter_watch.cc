@@ -17,6 +17,8 @@ constexpr double kExtremisAction_deg = 10;
 /// A turn is over when the vessel has turned no faster than this for this long.
 constexpr double kSteady_degps = 1;
 constexpr double kSteady_s = 2;
+/// A turn that begins later than this before the closest approach changes that no more.
+constexpr double kPassing_s = 3;
 constexpr double kExtremisActionShare = 0.2;
 /// In extremis begins at this share of the preferred distance.
 constexpr double kExtremisShare = 1.5;
@@ -30,6 +32,12 @@ bool KeepsClear(EncounterRole role) {
 
 bool StandsOn(EncounterRole role) {
   return role == EncounterRole::kStandOn || role == EncounterRole::kOvertaken;
+}
+
+/// They close, and would pass closer than `risk_m` in some time.
+bool IsRisk(const RelativeGeometry& geometry, double risk_m) {
+  return geometry.range_rate_mps < 0 && geometry.time_to_cpa_s >= kPassing_s &&
+         geometry.cpa_m < risk_m;
 }
 
 /// Replaces `largest` by `value` where that is farther from 0.
@@ -94,7 +102,7 @@ bool EncounterWatch::Update(double time_s, std::span<const VesselSample> vessels
                                         GeometryOf(second.motion, first.motion)};
   for (size_t i = 0; i < 2; ++i) {
     UpdateSide(time_s, vessels[places[i]], geometry[i], keeps_clear_[places[i]],
-               &encounter.sides[i], &open->sides[i]);
+               KeepsClear(encounter.sides[1 - i].role), &encounter.sides[i], &open->sides[i]);
   }
 
   // Straight from the last look to this one.
@@ -129,13 +137,16 @@ bool EncounterWatch::Update(double time_s, std::span<const VesselSample> vessels
 
 void EncounterWatch::UpdateSide(double time_s, const VesselSample& own,
                                 const RelativeGeometry& geometry, bool must_keep_clear,
-                                EncounterSide* side, OpenSide* now) const {
+                                bool other_keeps_clear, EncounterSide* side, OpenSide* now) const {
   const double turned_now_deg = Wrap180(own.motion.heading_deg - now->last_heading_deg);
   now->course_change_deg += turned_now_deg;
   if (std::abs(turned_now_deg) > kSteady_degps * (time_s - last_s_)) now->last_turning_s = time_s;
-  if (!now->first_turn_deg && time_s - now->last_turning_s >= kSteady_s) {
-    now->first_turn_deg = now->course_change_deg;
+  if (!IsRisk(geometry, options_.risk_m)) {
+    now->turns_freely = true;
+  } else if (time_s - now->last_turning_s >= kSteady_s) {
+    now->turns_freely = false;
   }
+  if (now->turns_freely) now->turned_from_deg = now->course_change_deg;
   now->last_heading_deg = own.motion.heading_deg;
   now->speed_change_share = (own.motion.speed_mps - side->entry_speed_mps) /
                             std::max(side->entry_speed_mps, options_.least_speed_mps);
@@ -159,6 +170,7 @@ void EncounterWatch::UpdateSide(double time_s, const VesselSample& own,
     if (is_extreme && !conduct.in_extremis_s) {
       conduct.in_extremis_s = time_s;
       now->extremis_course_change_deg = now->course_change_deg;
+      now->turned_from_deg = now->course_change_deg;
       now->extremis_speed_change_share = now->speed_change_share;
     }
     if (!conduct.in_extremis_s && !side->excused_s) {
@@ -175,13 +187,11 @@ void EncounterWatch::UpdateSide(double time_s, const VesselSample& own,
     if (side->role == EncounterRole::kOvertaken && !side->excused_s) {
       KeepLargest(std::max(0.0, now->speed_change_share), &conduct.held_speed_change_share);
     }
-    if (side->role == EncounterRole::kStandOn && Wrap180(geometry.beta_deg) < 0 &&
-        !side->excused_s && now->first_turn_deg) {
-      const double from_deg =
-          conduct.in_extremis_s ? now->extremis_course_change_deg : *now->first_turn_deg;
-      conduct.turned_to_port_while_standing_on =
-          conduct.turned_to_port_while_standing_on ||
-          now->course_change_deg - from_deg <= -kExtremisAction_deg;
+    // Rule 17 holds where the other keeps out of the way: not for two that see each other to port.
+    if (side->role == EncounterRole::kStandOn && other_keeps_clear && !side->excused_s &&
+        Wrap180(geometry.beta_deg) < 0 &&
+        now->course_change_deg - now->turned_from_deg <= -kExtremisAction_deg) {
+      conduct.turned_to_port_while_standing_on = true;
     }
   }
 

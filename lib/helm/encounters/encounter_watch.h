@@ -51,8 +51,10 @@ class EncounterWatch {
     double course_change_deg = 0;  ///< Since entry, not wrapped.
     double speed_change_share = 0;
     double last_heading_deg = 0;
-    /// Course change at the end of the turn in which the encounter began; absent: it goes on.
-    std::optional<double> first_turn_deg = {};
+    /// The turn that goes on is none for the other: the encounter began in it, or there was no risk
+    /// of collision (IsRisk) when it began.
+    bool turns_freely = true;
+    double turned_from_deg = 0;  ///< Course change from which a turn for the other counts.
     double last_turning_s = 0;
     double last_alpha_deg = 0;  ///< (-180, 180].
     double last_range_m = 0;
@@ -68,7 +70,8 @@ class EncounterWatch {
 
   bool Update(double time_s, std::span<const VesselSample> vessels, Open* open) const;
   void UpdateSide(double time_s, const VesselSample& own, const RelativeGeometry& geometry,
-                  bool must_keep_clear, EncounterSide* side, OpenSide* now) const;
+                  bool must_keep_clear, bool other_keeps_clear, EncounterSide* side,
+                  OpenSide* now) const;
   void Begin(double time_s, std::span<const VesselSample> vessels, uint32_t first, uint32_t second);
   void FindBegins(double time_s, std::span<const VesselSample> vessels);
   void Keep(Encounter encounter);

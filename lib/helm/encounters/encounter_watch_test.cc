@@ -223,6 +223,27 @@ TEST(EncounterWatch, NotesATurnToPortOfAVesselThatStandsOn) {
   EXPECT_FALSE(turned(10, 30));
 }
 
+TEST(EncounterWatch, CountsNoTurnToPortThatBeginsWhereThereIsNoRiskOfCollision) {
+  // The vessel passes 28 m ahead of the target, in 40 s, and goes back to its way.
+  const PlannedVessel target = {.motion = {{-140, 100}, 90, 3}};
+  const auto turned = [&](double at_s) {
+    const auto encounters =
+        EncountersOf({{.motion = {{0, 0}, 0, 3}, .turns = {{at_s, -30, 1}}}, target}, 80);
+    return encounters.at(0).sides[0].conduct.turned_to_port_while_standing_on;
+  };
+  EXPECT_TRUE(turned(30));
+  EXPECT_FALSE(turned(38.5)) << "it passes in less than 3 s";
+}
+
+TEST(EncounterWatch, CountsNoTurnToPortWhereTheTwoPassPortToPort) {
+  // Each has the other to port: neither has to keep out of the way, so none has to stand on.
+  const auto encounters = EncountersOf(
+      {{.motion = {{0, 0}, 0, 3}, .turns = {{5, -12, 1}}}, {.motion = {{-30, 100}, 180, 3}}}, 60);
+  ASSERT_EQ(encounters.at(0).sides[0].role, EncounterRole::kStandOn);
+  ASSERT_EQ(encounters[0].sides[1].role, EncounterRole::kStandOn);
+  EXPECT_FALSE(encounters[0].sides[0].conduct.turned_to_port_while_standing_on);
+}
+
 TEST(EncounterWatch, CountsThatAVesselFleesThatIsOvertaken) {
   // From dead astern, too close to clear it alone: in extremis any change but this is allowed.
   const auto encounters = EncountersOf(
