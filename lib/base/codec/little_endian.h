@@ -8,6 +8,7 @@
 //   const auto id = reader.Take<uint32_t>();          // 7
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -53,10 +54,8 @@ class LittleEndianReader {
   Number Take() {
     SHOAL_CHECK(num_left() >= sizeof(Number), "at least sizeof(Number) bytes are left");
     std::array<uint8_t, sizeof(Number)> raw;
-    for (size_t i = 0; i < sizeof(Number); ++i) {
-      const size_t place = std::endian::native == std::endian::big ? sizeof(Number) - 1 - i : i;
-      raw[place] = bytes_[place_ + i];
-    }
+    std::memcpy(raw.data(), bytes_.data() + place_, sizeof(Number));
+    if constexpr (std::endian::native == std::endian::big) std::reverse(raw.begin(), raw.end());
     place_ += sizeof(Number);
     Number number;
     std::memcpy(&number, raw.data(), sizeof number);

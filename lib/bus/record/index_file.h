@@ -11,7 +11,9 @@
 //   size             8 bytes   of the log's file
 //   time             8 bytes   its last change, nanoseconds
 //   digest           8 bytes   of its first and last bytes, and of some between
-//   then each part:  number (4), key (text behind its length, 4), length (8), digest (8), bytes
+//   then each part:  number (4), key (text behind its length, 4), length (8), bytes in the file
+//   (8),
+//                    their digest (8), bytes, compressed by zstd
 //
 // An index may be damaged, of another log, or made to mislead: what reads a part checks all of it.
 #pragma once
@@ -31,7 +33,7 @@ enum class IndexPart : uint32_t { kTimes = 1, kInfo = 2, kView = 3 };
 
 /// Logs of fewer bytes are read as fast as an index is.
 inline constexpr uint64_t kLeastIndexedLog_bytes = uint64_t{64} << 20;
-/// No index is larger: it is read into memory as a whole.
+/// No index is larger, and no part of it: it is read into memory as a whole.
 inline constexpr uint64_t kMaxIndex_bytes = uint64_t{256} << 20;
 
 /// Returns the name of the index of a log.
