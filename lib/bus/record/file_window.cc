@@ -9,6 +9,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "lib/bus/record/log_writer.h"
+
 namespace shoal {
 
 namespace {
@@ -70,6 +72,7 @@ Result<FileWindow> FileWindow::Open(const std::string& path) {
     size = table->size();
     source->frames = std::move(*table);
   }
+  if (size == 0 && path.ends_with(kCompressedSuffix)) source->frames = FrameTable::OfEmptyFile();
   source->stamp = StampOf(file.get());
   source->file = std::move(file);
   return FileWindow(std::move(source), size, kBufferSize);

@@ -111,6 +111,12 @@ Result<FrameTable> FrameTable::Read(int fd, uint64_t file_size) {
   return table;
 }
 
+FrameTable FrameTable::OfEmptyFile() {
+  FrameTable table;
+  table.lost_ = "the compressed file is empty: what wrote it was ended before it closed the log";
+  return table;
+}
+
 void FrameTable::Add(uint64_t file_begin, uint64_t file_size, uint64_t size) {
   if (size == 0) return;
   frames_.push_back(
@@ -162,7 +168,12 @@ std::string FrameTable::TakeHeads(int fd, uint64_t file_size) {
     if (length >= 4 && (magic & ~uint64_t{0xF}) == kSkippableMagic) {
       // A list, damaged or cut, comes when all frames are there.
       is_own = magic != kListMagic && (is_own || (offset == 0 && IsOwnMark(fd)));
-      offset += 8 + LittleEndian(std::span(bytes).subspan(4));
+      const uint64_t end = offset + 8 + LittleEndian(std::span(bytes).subspan(4));
+      if (length < bytes.size() || end > file_size) {
+        if (magic != kListMagic) lost_ = end_inside(offset);
+        return {};
+      }
+      offset = end;
       continue;
     }
     if (length >= 4 && magic != kFrameMagic) {

@@ -42,6 +42,9 @@ class FrameTable {
   /// killed, the heads of all frames. The error names the byte, and what to do.
   static Result<FrameTable> Read(int fd, uint64_t file_size);
 
+  /// Of a file that is to be a compressed log and holds nothing: what wrote it was ended at once.
+  static FrameTable OfEmptyFile();
+
   /// Those that hold something, in the order of the file; of `begin` each continues the one before.
   const std::vector<Frame>& frames() const { return frames_; }
   /// Bytes of the log.

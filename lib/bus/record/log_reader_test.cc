@@ -246,4 +246,22 @@ RC_GTEST_PROP(LogReader, EndsForAnyBytesAndReportsAllThatItSkips, ()) {
   RC_ASSERT(total == bytes.size());
 }
 
+/// At any byte of its first frames a process may be killed.
+TEST(BeginOfCompressedLog, NamesTheLossWhereverItIsCutAtItsBegin) {
+  const TestDirectory directory;
+  const std::string path = directory.File("a.lcm.zst");
+  WriteLog(path, {{1, "A", {1, 2, 3}}});
+  const Bytes whole = FileBytes(path);
+  // The list of frames alone can be missing in part: all events are there then.
+  constexpr size_t kList_bytes = 8 + 9 + 2 * 8;
+  for (size_t size = 0; size + kList_bytes <= whole.size(); ++size) {
+    WriteBytes(path, Bytes(whole.begin(), whole.begin() + static_cast<ptrdiff_t>(size)));
+    auto reader = LogReader::Open(path, OnDamage::kSkip);
+    if (!reader.ok()) continue;  // Which is an error with the reason.
+    while (reader->Next()) {
+    }
+    EXPECT_GT(reader->num_damages(), 0) << size << " bytes";
+  }
+}
+
 }  // namespace shoal::log_reader_test
