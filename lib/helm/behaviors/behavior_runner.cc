@@ -66,7 +66,6 @@ std::string_view Name(RunState state) {
 }
 
 std::vector<std::string> ConditionsOf(const BehaviorOptions& options) {
-  constexpr std::string_view kMacro = "$[CONTACT]";
   AnyBehavior what = options.what;
   const std::string* contact = ContactOf(what);
   if (contact == nullptr) return options.condition;
@@ -77,8 +76,14 @@ std::vector<std::string> ConditionsOf(const BehaviorOptions& options) {
   if (name.empty()) name = "CONTACT";
   std::vector<std::string> conditions = options.condition;
   for (std::string& text : conditions) {
-    for (size_t at = text.find(kMacro); at != text.npos; at = text.find(kMacro, at + name.size())) {
-      text.replace(at, kMacro.size(), name);
+    for (const auto& [macro, value] :
+         {std::pair<std::string_view, std::string>("$[CONTACT]", UpperCase(name)),
+          {"$[contact]", LowerCase(name)},
+          {"$[Contact]", name}}) {
+      for (size_t at = text.find(macro); at != text.npos;
+           at = text.find(macro, at + value.size())) {
+        text.replace(at, macro.size(), value);
+      }
     }
   }
   return conditions;

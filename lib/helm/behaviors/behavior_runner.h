@@ -125,8 +125,9 @@ class BehaviorRunner {
   std::map<std::string, int64_t, std::less<>> counters_;
 };
 
-/// Returns the conditions with the contact's name for $[CONTACT]: "MARKED_henry = true". What is no
-/// part of a variable's name becomes '_'; without a contact, as a recipe has none, it is CONTACT.
+/// Returns the conditions with the contact's name for $[CONTACT], in upper case: "MARKED_HENRY =
+/// true"; for $[contact] in lower case, for $[Contact] as it is. What is no part of a variable's
+/// name becomes '_'; without a contact, as a recipe has none, it is CONTACT.
 [[nodiscard]] std::vector<std::string> ConditionsOf(const BehaviorOptions& options);
 
 /// Returns what of `options` cannot be parsed: conditions, flags. Empty: nothing.

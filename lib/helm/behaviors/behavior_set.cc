@@ -118,11 +118,43 @@ struct BehaviorSet::Iteration {
   HelmNotes& notes;
 };
 
+namespace {
+
+/// Where the vessel is, for conditions.
+struct OwnVariable {
+  std::string_view name;
+  double (*value)(const OwnMotion& own);
+};
+
+constexpr OwnVariable kOwnVariables[] = {
+    {"NAV_X", [](const OwnMotion& own) { return own.motion.position_m.x(); }},
+    {"NAV_Y", [](const OwnMotion& own) { return own.motion.position_m.y(); }},
+    {"NAV_HEADING", [](const OwnMotion& own) { return own.motion.heading_deg; }},
+    {"NAV_SPEED", [](const OwnMotion& own) { return own.motion.speed_mps; }},
+    {"NAV_DEPTH", [](const OwnMotion& own) { return own.depth_m; }},
+};
+
+/// Makes variables of those that conditions name.
+void AddOwnVariables(const HelmSetup& setup, Variables* variables) {
+  const auto add = [&](const std::vector<std::string>& conditions) {
+    for (const std::string& text : conditions) {
+      for (const OwnVariable& own : kOwnVariables) {
+        if (text.find(own.name) != text.npos) variables->Set(own.name, 0.0, 0);
+      }
+    }
+  };
+  for (const ModeOptions& mode : setup.modes) add(mode.condition);
+  for (const BehaviorOptions& behavior : setup.behaviors) add(behavior.condition);
+}
+
+}  // namespace
+
 BehaviorSet::BehaviorSet(HelmSetup setup) : setup_(std::move(setup)) {
   auto modes = ModeTree::Parse(setup_.modes);
   SHOAL_CHECK(modes.ok(), "modes of a helm are checked before it starts");
   modes_ = std::move(*modes);
   for (const auto& [variable, value] : setup_.variables) variables_.Set(variable, value, 0);
+  AddOwnVariables(setup_, &variables_);
   for (const BehaviorOptions& options : setup_.behaviors) {
     if (StartsSpawning(options)) recipes_.push_back({.options = options});
     if (options.templating == Templating::kSpawn) continue;
@@ -441,6 +473,10 @@ HelmOutcome BehaviorSet::Iterate(const HelmInputs& inputs) {
     iterations_without_decision_ = 0;
     commanded_ = {};
     return outcome;
+  }
+  for (const OwnVariable& own : kOwnVariables) {
+    if (variables_.Find(own.name) == nullptr) continue;
+    variables_.Set(own.name, own.value(*inputs.own), inputs.time_s);
   }
   HelmNotes notes;
   const BehaviorInputs own = {

@@ -30,6 +30,22 @@ TEST(RunStates, FollowTheConditions) {
   EXPECT_TRUE(HasEvent(outcome, "state", "survey: active -> idle"));
 }
 
+TEST(RunStates, FollowConditionsAboutTheVesselItself) {
+  TestHelm helm;
+  helm.Add("deep").condition = {"NAV_DEPTH > 5"};
+  helm.Add("fast").condition = {"(NAV_SPEED > 1) and (NAV_X < 20)"};
+  EXPECT_TRUE(HasEvent(helm.Tick(), "state", "deep: new -> idle"));
+  helm.own.depth_m = 6;
+  helm.own.motion.speed_mps = 2;
+  helm.own.motion.position_m.x() = 19;
+  const HelmOutcome outcome = helm.Tick();
+  EXPECT_TRUE(HasEvent(outcome, "state", "deep: idle -> running"));
+  EXPECT_TRUE(HasEvent(outcome, "state", "fast: idle -> running"));
+  EXPECT_EQ(helm.ValueOf("NAV_Y"), "") << "no condition names it";
+  helm.own.motion.position_m.x() = 20;
+  EXPECT_TRUE(HasEvent(helm.Tick(), "state", "fast: running -> idle"));
+}
+
 TEST(RunStates, KnowRunningWithoutPreferenceFromActive) {
   TestHelm helm;
   BehaviorOptions& options = helm.Add("avoid");

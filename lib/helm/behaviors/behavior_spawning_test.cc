@@ -96,10 +96,11 @@ TEST(Spawning, PutsTheContactsNameIntoConditions) {
   options.condition = {"MARKED_$[CONTACT] = true"};
   options.flags.runflag = {"RUNS = $[CONTACT]"};
   helm.contacts["henry"] = ContactAt("henry", 70, 0);
-  helm.TickWith("MARKED_gilda", "true");
+  helm.TickWith("MARKED_GILDA", "true");
+  helm.TickWith("MARKED_henry", "true");
   EXPECT_TRUE(helm.Has("avd_henry"));
   EXPECT_EQ(helm.ValueOf("RUNS"), "");
-  helm.TickWith("MARKED_henry", "true");
+  helm.TickWith("MARKED_HENRY", "true");
   EXPECT_EQ(helm.ValueOf("RUNS"), "henry");
 }
 
@@ -109,7 +110,7 @@ TEST(Conditions, HaveANameForAContactThatIsNoneOfAVariable) {
   EXPECT_EQ(ConditionsOf(options),
             (std::vector<std::string>{"CONTACT = 1", "A = CONTACT_CONTACT"}));
   std::get<AvoidCollisionOptions>(options.what).contact.contact = "to be-set";
-  EXPECT_EQ(ConditionsOf(options).front(), "to_be_set = 1");
+  EXPECT_EQ(ConditionsOf(options).front(), "TO_BE_SET = 1");
   EXPECT_EQ(Problem(options), "");
   options.what = WaypointOptions();
   EXPECT_NE(Problem(options), "") << "a waypoint has no contact";

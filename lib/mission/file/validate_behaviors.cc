@@ -39,10 +39,10 @@ bool GivesSpeed(const AnyBehavior& what) {
 }
 
 /// Beginnings of the names of variables that behaviors report.
-constexpr std::array<std::string_view, 18> kReports = {
-    "WPT_",    "CYCLE_",  "LOITER_",     "PSKEEP_", "DIST_TO_",  "OPREG_",
-    "LEGRUN_", "PURSUIT", "REGION",      "TRAIL_",  "PERIODIC_", "PENDING_",
-    "TIME_AT", "ZIG",     "GO_TO_DEPTH", "FIXTURN", "BHV_",      "CONTACT_"};
+constexpr std::array<std::string_view, 19> kReports = {
+    "WPT_",        "CYCLE_",  "LOITER_", "PSKEEP_",   "DIST_TO_", "OPREG_",  "LEGRUN_",
+    "PURSUIT",     "REGION",  "TRAIL_",  "PERIODIC_", "PENDING_", "TIME_AT", "ZIG",
+    "GO_TO_DEPTH", "FIXTURN", "BHV_",    "CONTACT_",  "NAV_"};
 
 void CheckNames(const Vehicle& vehicle, const TablePlace& place) {
   const auto& behaviors = vehicle.behaviors;
