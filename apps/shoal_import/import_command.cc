@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -22,6 +23,7 @@
 #include "lib/run/moos_text/fields.h"
 #include "lib/tools/moos/bhv_file.h"
 #include "lib/tools/moos/import.h"
+#include "lib/tools/moos/import_names.h"
 #include "lib/tools/moos/launch_script.h"
 #include "lib/tools/moos/moos_file.h"
 #include "lib/tools/moos/nsplug.h"
@@ -122,6 +124,38 @@ Result<MoosDefines> ReadDefines(std::string_view text, bool is_one) {
   return defines;
 }
 
+/// Leaves out of a folder's files those that are no mission of their own: files that others
+/// #include, and .moos files without a block.
+void LeaveOutPlugs(const FindMoosFile& find, std::vector<std::string>* files) {
+  std::set<std::string> left_out;
+  for (const std::string& path : *files) {
+    const Result<std::string> text = ReadMoosFile(path);
+    if (!text.ok()) continue;
+    for (std::string_view rest = *text; !rest.empty();) {
+      constexpr std::string_view kInclude = "#include";
+      const size_t end = std::min(rest.find('\n'), rest.size());
+      const std::string_view line = Trimmed(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+      if (!line.starts_with(kInclude)) continue;
+      const std::string_view name = Trimmed(line.substr(kInclude.size()));
+      left_out.insert(FileName(name.substr(0, name.find_first_of(" \t<"))));
+    }
+    const bool is_mission =
+        IsBhvName(path) ||
+        !ParseMoosFile(Plug({.name = path, .text = *text}, {}, find)).blocks.empty();
+    if (!is_mission) left_out.insert(FileName(path));
+  }
+  std::erase_if(*files, [&](const std::string& path) { return left_out.contains(FileName(path)); });
+}
+
+/// Returns true where a plugged file describes a vehicle.
+bool IsAnyVehicle(const MoosImportOptions& how) {
+  return std::any_of(how.runs.begin(), how.runs.end(), [&](const MoosRun& run) {
+    return !IsBhvName(run.source.name) &&
+           DescribesVehicle(ParseMoosFile(Plug(run.source, run.defines, how.find)));
+  });
+}
+
 /// Reads a mission's folder: what its launch script plugs, or else its .moos and .bhv files. The
 /// script is read, never run.
 void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<std::string>* files,
@@ -141,6 +175,7 @@ void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<s
   const auto main = std::find(scripts.begin(), scripts.end(), "launch.sh");
   if (main != scripts.end()) std::rotate(scripts.begin(), main, main + 1);
   const std::string base = folder.ends_with('/') ? folder : folder + "/";
+  const bool has_bhv = std::any_of(files->begin(), files->end(), IsBhvName);
   for (const std::string& name : scripts) {
     Result<std::string> text = ReadMoosFile(base + name);
     if (!text.ok()) continue;
@@ -152,16 +187,25 @@ void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<s
         notes->push_back(fmt::format("{}: {} is not there", name, Quoted(file.source)));
         continue;
       }
+      const bool is_there = std::any_of(
+          how->runs.begin(), how->runs.end(),
+          [&](const MoosRun& run) { return FileName(run.target) == FileName(file.target); });
+      if (is_there) continue;
       how->runs.push_back(
           {.source = std::move(*source), .target = file.target, .defines = file.defines});
     }
-    if (how->runs.empty()) continue;
-    how->pokes = plan.pokes;
-    for (const std::string& note : plan.notes) notes->push_back(note);
-    // Behaviors that no line plugs are found by their name.
-    files->clear();
-    return;
+    if (plan.files.empty()) continue;
+    how->pokes.insert(how->pokes.end(), plan.pokes.begin(), plan.pokes.end());
+    notes->insert(notes->end(), plan.notes.begin(), plan.notes.end());
+    // Shore and vehicles may have a script each: on to the first that plugs behaviors.
+    const bool plugs_bhv = std::any_of(how->runs.begin(), how->runs.end(), [](const MoosRun& run) {
+      return IsBhvName(run.source.name);
+    });
+    if (plugs_bhv || !has_bhv || IsAnyVehicle(*how)) break;
   }
+  // Behaviors that no line plugs are found by their name.
+  if (!how->runs.empty()) return files->clear();
+  LeaveOutPlugs(how->find, files);
 }
 
 int Fail(const std::string& problem, int code) {

@@ -71,6 +71,40 @@ TEST_F(Import, ReadsAFolderWithoutALaunchScript) {
   EXPECT_EQ(LoadMission(toml).mission.vehicles.at(0).behaviors.size(), 1U);
 }
 
+TEST_F(Import, ReadsAFolderWhoseShoreAndVehiclesHaveAScriptEach) {
+  std::filesystem::create_directory(directory_.File("m"));
+  Write("m/launch_shoreside.sh", "nsplug shore.moos targ_shore.moos -f\n");
+  Write("m/launch_vehicle.sh",
+        "nsplug meta.moos targ_ida.moos VNAME=ida\nnsplug meta.bhv targ_ida.bhv\n");
+  Write("m/launch_vehicle_two.sh",
+        "nsplug meta.moos targ_jon.moos VNAME=jon\nnsplug meta.bhv targ_jon.bhv\n");
+  Write("m/shore.moos",
+        "Community = shore\nProcessConfig = uFldNodeComms\n{\ncomms_range = 70\n}\n");
+  Write("m/meta.moos", "Community = $(VNAME)\nProcessConfig = pHelmIvP\n{\n}\n");
+  Write("m/meta.bhv", "Behavior = BHV_Timer\n{\nname = b\n}\n");
+  const std::string toml = directory_.File("a.toml");
+  EXPECT_EQ(RunImport({.files = {directory_.File("m")}, .out_path = toml}), kExitOk);
+  const LoadedMission loaded = LoadMission(toml);
+  ASSERT_EQ(loaded.mission.vehicles.size(), 1U) << "each script starts a mission of its own";
+  EXPECT_EQ(loaded.mission.vehicles[0].name, "ida");
+  EXPECT_EQ(loaded.mission.vehicles[0].behaviors.size(), 1U);
+  EXPECT_EQ(loaded.mission.comms.comms_range_m, 70);
+}
+
+TEST_F(Import, TakesFilesThatOthersIncludeForNoMissions) {
+  std::filesystem::create_directory(directory_.File("m"));
+  Write("m/ida.moos",
+        "Community = ida\n#include plug_origin.moos\n#include plug_helm.moos <x>  // its helm\n");
+  Write("m/plug_origin.moos", "LatOrigin = 54\nLongOrigin = 10\n");
+  Write("m/plug_helm.moos", "<tag><x>\nProcessConfig = pHelmIvP\n{\n}\n");
+  Write("m/plug_alone.moos", "MOOSTimeWarp = 3\n");
+  const std::string toml = directory_.File("a.toml");
+  EXPECT_EQ(RunImport({.files = {directory_.File("m")}, .out_path = toml}), kExitOk);
+  const LoadedMission loaded = LoadMission(toml);
+  ASSERT_EQ(loaded.mission.vehicles.size(), 1U);
+  EXPECT_EQ(loaded.mission.vehicles[0].name, "ida");
+}
+
 TEST_F(Import, LeavesAnExistingMissionAlone) {
   const std::string moos = Write("a.moos", kBlock);
   const std::string toml = Write("a.toml", "mine");

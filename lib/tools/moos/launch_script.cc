@@ -388,7 +388,7 @@ class LaunchReader {
     if (is_length) return std::to_string(value.size());
     if (rest.empty()) return value;
     if (rest.starts_with(":-") || rest.starts_with(":=")) {
-      return value.empty() ? Quoted(rest.substr(2), line) : value;
+      return value.empty() ? Join(Expand(rest.substr(2), line)) : value;
     }
     if (rest.starts_with(':')) return Slice(value, rest.substr(1));
     // A pattern is compared with every part of the value: long values count as many commands.
@@ -442,6 +442,11 @@ class LaunchReader {
     }
     if (name == "basename" && words.size() > 1) return FileName(words[1]);
     if (name == "echo") return Join({words.begin() + 1, words.end()});
+    if (name == "expr") return Sum(Join({words.begin() + 1, words.end()}));
+    if (name == "dirname" && words.size() > 1) {
+      const size_t slash = words[1].rfind('/');
+      return slash == std::string::npos ? "." : words[1].substr(0, slash);
+    }
     if (name == "pickpos") return Picked(words, line);
     if (name == "cat" && words.size() > 1) {
       const auto made = made_files_.find(words[1]);
@@ -450,7 +455,9 @@ class LaunchReader {
       Note(line, fmt::format("{} is not there", shoal::Quoted(words[1])));
       return "";
     }
-    if (name != "date" && name != "pwd" && name != "whoami" && name != "hostname") {
+    constexpr std::string_view kOfThisMachine[] = {"date", "pwd", "whoami", "hostname", "id", "cd"};
+    if (std::find(std::begin(kOfThisMachine), std::end(kOfThisMachine), name) ==
+        std::end(kOfThisMachine)) {
       Note(line, fmt::format("the output of {} is not known", shoal::Quoted(name)));
     }
     return "";
@@ -728,6 +735,7 @@ class LaunchReader {
     LaunchFile file{.source = words[0], .target = words[1], .defines = {}};
     for (size_t i = 2; i < words.size(); ++i) {
       const std::string& word = words[i];
+      if (word.starts_with("--macros=")) AddMacros(word.substr(word.find('=') + 1), line, &file);
       if (word.starts_with('-')) continue;
       if (word.starts_with('>') || word == "&") break;
       const size_t equals = word.find('=');
@@ -737,6 +745,27 @@ class LaunchReader {
                                                                 : word.substr(equals + 1));
     }
     AddFile(std::move(file), false);
+  }
+
+  /// Lines NAME=VALUE of a file; what the command line gives, wins.
+  void AddMacros(const std::string& name, int line, LaunchFile* file) {
+    constexpr size_t kMostMacros = 1'000;
+    const auto found = Find(name);
+    if (!found) return Note(line, fmt::format("{} is not there", shoal::Quoted(name)));
+    std::string_view rest = found->text;
+    while (!rest.empty() && file->defines.size() < kMostMacros) {
+      const size_t end = std::min(rest.find('\n'), rest.size());
+      const std::string_view text = Trimmed(rest.substr(0, end));
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+      const size_t equals = text.find('=');
+      const bool is_remark = text.starts_with('#') || text.starts_with("//");
+      if (is_remark || equals == text.npos || equals == 0) continue;
+      std::string_view value = Trimmed(text.substr(equals + 1));
+      if (value.size() >= 2 && value.starts_with('"') && value.ends_with('"')) {
+        value = value.substr(1, value.size() - 2);
+      }
+      file->defines.emplace(Trimmed(text.substr(0, equals)), value);
+    }
   }
 
   /// `uPokeDB targ_shore.moos DEPLOY_ALL=true SPEED:=1.5`; of several "=" the first counts.

@@ -5,8 +5,8 @@
 //
 // Knows of bash: variables, arrays, quotes, $((1 + 2)), ${X:0:3}, ${X#a}, if, for, while, until,
 // case, [ ] and [[ ]], scripts that call others, echo and cat of files; nsplug, pAntler, uPokeDB,
-// seq, basename. Any other command is without effect; one that would give a value gives none and is
-// named.
+// seq, expr, basename, dirname. Any other command is without effect; one that would give a value
+// gives none and is named.
 #pragma once
 
 #include <string>

@@ -110,6 +110,26 @@ TEST(LaunchScript, TakesAFileThatIsLaunchedAsItIs) {
             "alpha.moos > alpha.moos\n");
 }
 
+TEST(LaunchScript, ComputesWithExprAndKnowsTheFolderOfAPath) {
+  EXPECT_EQ(Plan("I=3\nPORT=`expr $I + 9000`\nTWO=$(expr $I \\* 2)\nD=$(dirname a/b/c.sh)\n"
+                 "nsplug a.moos b.moos PORT=$PORT TWO=$TWO D=$D\n"),
+            "a.moos > b.moos D=a/b PORT=9003 TWO=6\n");
+}
+
+TEST(LaunchScript, TakesMacrosOfAFileThatTheCommandLineDoesNotGive) {
+  EXPECT_EQ(
+      Plan("nsplug a.bhv b.bhv --force --macros=base.opf SPD=2\n",
+           {{"base.opf", "// base\n# of macros\nSPD=1\nEL=x=5,y=-4\nNAME = \"ida jon\"\nodd\n"}}),
+      "a.bhv > b.bhv EL=x=5,y=-4 NAME=ida jon SPD=2\n");
+  EXPECT_EQ(Plan("nsplug a.bhv b.bhv --macros=none.opf\n"),
+            "a.bhv > b.bhv\nlaunch.sh:1: 'none.opf' is not there\n");
+}
+
+TEST(LaunchScript, TakesTheQuotesOffADefault) {
+  EXPECT_EQ(Plan("POS=${POS:-\"5,6\"}\nnsplug a.moos b.moos POS=$POS\n"),
+            "a.moos > b.moos POS=5,6\n");
+}
+
 TEST(LaunchScript, NamesWhatItCannotRead) {
   EXPECT_EQ(Plan("A=`ifconfig`\n./gone.sh\nnsplug a.moos b.moos A=$A\n"),
             "a.moos > b.moos A=\nlaunch.sh:1: the output of 'ifconfig' is not known\n"
