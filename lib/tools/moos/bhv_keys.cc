@@ -456,6 +456,8 @@ std::optional<std::string_view> NearestKind(std::string_view type) {
       {"scout", "waypoint"},
       {"zigleg", "zigzag"},
       {"pulse", ""},
+      {"bearingline", ""},
+      {"pmodelview", ""},
       {"hsline", ""},
   });
   constexpr std::string_view kPrefix = "bhv_";

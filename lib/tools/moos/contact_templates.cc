@@ -11,12 +11,15 @@
 namespace shoal {
 namespace {
 
-/// Replaces $[CONTACT] by a name.
-std::string WithContact(std::string text, const std::string& contact) {
-  constexpr std::string_view kMacro = "$[CONTACT]";
-  for (size_t at = text.find(kMacro); at != text.npos; at = text.find(kMacro, at)) {
-    text.replace(at, kMacro.size(), contact);
-    at += contact.size();
+/// Replaces $[CONTACT] by a name: in conditions it is in upper case, else as it is.
+std::string WithContact(std::string text, const std::string& contact, bool is_condition) {
+  for (const auto& [macro, value] : {std::pair<std::string_view, std::string>(
+                                         "$[CONTACT]", is_condition ? UpperCase(contact) : contact),
+                                     {"$[contact]", LowerCase(contact)},
+                                     {"$[Contact]", contact}}) {
+    for (size_t at = text.find(macro); at != text.npos; at = text.find(macro, at + value.size())) {
+      text.replace(at, macro.size(), value);
+    }
   }
   return text;
 }
@@ -27,15 +30,18 @@ bool NeedsOneForEach(const BhvBlock& block) {
   const std::string_view kind = KindOfBhv(block.type);
   if (!IsContactKind(kind)) return false;
   bool is_template = false;
-  bool needs = false;
+  bool has_updates = false;
+  // CutRange asks for alerts by default.
+  bool needs = kind == "cut_range";
   for (const MoosLine& line : block.lines) {
     const std::string key = LowerCase(line.key.substr(0, 64));
     const std::string word = LowerCase(WithoutQuotes(line.value).substr(0, 16));
     if (key == "templating") is_template = word == "spawn";
     const bool has_alerts = kind == "avoid_collision" || kind == "colregs";
-    if (key == "no_alert_request" && word == "false" && !has_alerts) needs = true;
+    if (key == "updates") has_updates = true;
+    if (key == "no_alert_request" && !has_alerts) needs = word == "false";
   }
-  return is_template && needs;
+  return is_template && needs && has_updates;
 }
 
 std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::string>& contacts) {
@@ -51,7 +57,7 @@ std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::s
       const bool is_contact = key == "contact" || key == "them";
       has_contact = has_contact || is_contact;
       if (key == "name" || key == "descriptor") line.value += contact;
-      line.value = is_contact ? contact : WithContact(line.value, contact);
+      line.value = is_contact ? contact : WithContact(line.value, contact, key == "condition");
       line.text = line.key + " = " + line.value;
       one.lines.push_back(std::move(line));
     }
@@ -72,11 +78,10 @@ std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::s
 void CollectVariablesOfContacts(const BhvBlock& block, const std::vector<std::string>& contacts,
                                 std::set<std::string, std::less<>>* variables) {
   for (const MoosLine& line : block.lines) {
-    if (LowerCase(line.key) != "condition" || line.value.find("$[CONTACT]") == line.value.npos) {
-      continue;
-    }
+    const bool has_contact = LowerCase(line.value).find("$[contact]") != line.value.npos;
+    if (LowerCase(line.key) != "condition" || !has_contact) continue;
     for (const std::string& contact : contacts) {
-      CollectVariables(WithContact(ConditionText(line.value), contact), variables);
+      CollectVariables(WithContact(ConditionText(line.value), contact, true), variables);
     }
   }
 }

@@ -29,6 +29,7 @@
 #include "lib/tools/moos/import_vehicle.h"
 #include "lib/tools/moos/mission_draft.h"
 #include "lib/tools/moos/moos_file.h"
+#include "lib/tools/moos/script_timers.h"
 
 namespace shoal {
 namespace {
@@ -86,6 +87,7 @@ class Importer {
     NameVehicles();
     ReadBehaviors();
     ReadAllButtons();
+    ReadScripts();
     for (VehicleImport& vehicle : vehicles_) vehicle.AddTables(&draft);
     for (VehicleImport& vehicle : vehicles_) vehicle.AddEvents();
     if (options_.deploys) AddDeployment(&draft);
@@ -265,12 +267,10 @@ class Importer {
     }
   }
 
-  /// Adds an [[event]] for each event of a script that has a counterpart; the others are kept.
-  /// Returns the time of the last.
-  double AddTimerEvents(MissionDraft* draft) {
+  /// Reads the scripts; those that wait for what behaviors know become behaviors.
+  void ReadScripts() {
     std::vector<std::string> names;
     for (const VehicleImport& vehicle : vehicles_) names.push_back(vehicle.name());
-    double last_s = 0;
     for (const MoosFile& file : files_) {
       for (const MoosBlock& block : file.blocks) {
         if (AppClass(block.app) != "ufldshorebroker") continue;
@@ -280,7 +280,7 @@ class Importer {
       }
     }
     for (size_t i = 0; i < files_.size(); ++i) {
-      const VehicleImport* vehicle = VehicleOf(i);
+      VehicleImport* vehicle = VehicleOf(i);
       for (const MoosBlock& block : files_[i].blocks) {
         if (AppClass(block.app) != "utimerscript") continue;
         TimerScript& script = scripts_[&block];
@@ -290,7 +290,20 @@ class Importer {
               return HasVariable(name, variable);
             },
             [&](std::string_view posted) { return bridges_.Find(posted, names); });
-        for (const TimerEvent& event : script.events) {
+        if (vehicle != nullptr) MakeScriptTimers(&script, vehicle);
+      }
+    }
+  }
+
+  /// Adds an [[event]] for each event of a script that has a counterpart; the others are kept.
+  /// Returns the time of the last.
+  double AddTimerEvents(MissionDraft* draft) {
+    double last_s = 0;
+    for (const MoosFile& file : files_) {
+      for (const MoosBlock& block : file.blocks) {
+        const auto script = scripts_.find(&block);
+        if (script == scripts_.end()) continue;
+        for (const TimerEvent& event : script->second.events) {
           if (event.keys.empty()) continue;
           AddTimerEvent(event, draft);
           last_s = std::max(last_s, event.at_s);

@@ -240,6 +240,11 @@ class BlockImporter {
       } else {
         Set("speed", number ? TomlNumber(*number) : "-1", line, false);
       }
+    } else if (kind_ == "cut_range" && key == "patience") {
+      constexpr double kMost = 85;
+      const auto number = NumberIn(value);
+      if (!number || *number <= kMost || *number > 100) return false;
+      Set("patience", TomlNumber(kMost), line, false, "As MOOS-IvP limits it.");
     } else if (kind_ == "zigzag" && key == "max_zig_zags") {
       const auto number = NumberIn(value);
       if (!number) return Refuse(line, "not a number"), true;
@@ -350,6 +355,13 @@ class BlockImporter {
     if (LowerCase(block_.type).ends_with("aborttopoint")) {
       Assume("capture_radius", "25", "As MOOS-IvP's AbortToPoint has it.");
       Assume("slip_radius", "200", "As MOOS-IvP's AbortToPoint has it.");
+    }
+    if (kind_ == "periodic_surface") {
+      const auto mark = gathered_.find("mark_variable");
+      const bool is_given = mark != gathered_.end() && mark->second.value.size() > 2;
+      import_.variables.insert(is_given
+                                   ? mark->second.value.substr(1, mark->second.value.size() - 2)
+                                   : "GPS_UPDATE_RECEIVED");
     }
     TakeDistances();
     const bool is_constant = kind_.starts_with("constant_");
@@ -576,6 +588,39 @@ void AddOrderVariables(const BhvImport& import, BhvTable* table) {
   }
 }
 
+/// No name of a behavior may be the beginning of another's in shoal: "leg" beside "leg2" becomes
+/// "leg_1".
+void SetNamesApart(std::vector<BhvTable>* tables) {
+  std::vector<DraftLine*> names;
+  for (BhvTable& table : *tables) {
+    for (DraftLine& line : table.lines) {
+      if (table.header == "[[vehicle.behavior]]" && line.key == "name") names.push_back(&line);
+    }
+  }
+  // In quotes: without the last one.
+  const auto begins = [](const std::string& other, std::string_view name) {
+    return other.size() > name.size() && other.starts_with(name.substr(0, name.size() - 1));
+  };
+  for (DraftLine* line : names) {
+    const std::string plain = line->value.substr(0, line->value.size() - 1);
+    std::string wanted = line->value;
+    const auto is_beginning = [&](const DraftLine* other) {
+      return other != line && begins(other->value, wanted);
+    };
+    const auto is_same = [&](const DraftLine* other) {
+      return other != line && other->value == wanted;
+    };
+    for (size_t i = 1; std::any_of(names.begin(), names.end(), is_beginning) ||
+                       (i > 1 && std::any_of(names.begin(), names.end(), is_same));
+         ++i) {
+      wanted = fmt::format("{}_{}\"", plain, i);
+    }
+    if (wanted == line->value) continue;
+    line->value = wanted;
+    line->reason = "Assumed: another behavior's name begins with it.";
+  }
+}
+
 BhvTable ImportVariables(const BhvFile& file, BhvImport* import) {
   BhvTable table{.header = "[vehicle.variables]", .lines = {}};
   std::map<std::string, size_t> places;
@@ -635,6 +680,7 @@ BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contac
                     block.origin, block.type));
     import.lost.push_back(import.warnings.back());
   }
+  SetNamesApart(&import.tables);
   AddOrderVariables(import, &variables);
   if (!variables.lines.empty()) import.tables.insert(import.tables.begin(), std::move(variables));
   BhvTable odd{.header = "# What else stands in " + file.name + ".", .lines = {}};

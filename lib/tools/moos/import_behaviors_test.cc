@@ -363,4 +363,45 @@ TEST(ImportMoos, KeepsABehaviorWhosePointsComeWithAnUpdate) {
   }
 }
 
+TEST(ImportMoos, GivesABehaviorAnotherNameWhereAnothersBeginsWithIt) {
+  const std::string leg = "speed = 1\npoints = 0,0\n}\n";
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},
+      {.name = "ida.bhv",
+       .text = "Behavior = BHV_Waypoint\n{\nname = leg\n" + leg +
+               "Behavior = BHV_Waypoint\n{\nname = leg2\n" + leg +
+               "Behavior = BHV_Waypoint\n{\nname = leg_1\n" + leg}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  const LoadedMission loaded = LoadMissionText(import.mission, "m.toml");
+  const auto& behaviors = loaded.mission.vehicles.front().behaviors;
+  ASSERT_EQ(behaviors.size(), 3U);
+  EXPECT_EQ(behaviors[0].name, "leg_2");
+  EXPECT_EQ(behaviors[1].name, "leg2");
+  EXPECT_EQ(behaviors[2].name, "leg_1");
+  EXPECT_NE(import.mission.find("another behavior's name begins with it"), std::string::npos);
+}
+
+TEST(ImportMoos, LimitsThePatienceOfCutRangeAsMoosIvpDoes) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},
+      {.name = "ida.bhv",
+       .text = "Behavior = BHV_CutRange\n{\nname = cut\ntemplating = spawn\nupdates = C\n"
+               "no_alert_request = true\npatience = 100\n}\n"
+               "Behavior = BHV_BearingLine\n{\nname = line\n}\n"}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>{}) << "a bearing line only draws";
+  EXPECT_NE(import.mission.find("patience = 85"), std::string::npos) << import.mission;
+}
+
+TEST(ImportMoos, LetsAVesselStopWhoseSpeedsBeginAboveZeroAndWarns) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos",
+       .text = "/------ a line of strokes\nCommunity = ida\nProcessConfig = pHelmIvP\n{\n"
+               "domain = speed:1:5:9\n}\n"},
+      {.name = "ida.bhv", .text = "Behavior = BHV_Timer\n{\nname = t\n}\n"}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>{
+                                 "ida.moos:5: domain = speed:1:5:9: taken from 0 m/s on, so that "
+                                 "a vessel can stop"});
+  EXPECT_NE(import.mission.find("speed = [0, 5, 11]"), std::string::npos) << import.mission;
+}
+
 }  // namespace shoal::import_behaviors_test

@@ -117,7 +117,8 @@ class Rehearsal {
   VehicleOutlook Moves(const HelmOutcome& outcome, int t_s) const {
     std::string names;
     for (const HelmAim& aim : outcome.aims) {
-      if (!aim.is_constraint) names += (names.empty() ? "" : ", ") + aim.name;
+      if (aim.is_constraint || aim.name == "deploy_button") continue;  // Moves nothing.
+      names += (names.empty() ? "" : ", ") + aim.name;
     }
     if (t_s > kWatched_s) names += fmt::format(", from {} s on", t_s);
     return {.vehicle = vehicle_.name, .moves = true, .why = names};

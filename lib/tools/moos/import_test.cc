@@ -646,8 +646,23 @@ TEST(ImportMoos, MakesATemplateAboutContactsOneBehaviorForEachOtherVehicle) {
   const shoal::Vehicle ida = Loaded(import).mission.vehicles.at(0);
   ASSERT_EQ(ida.behaviors.size(), 1U);
   EXPECT_EQ(ida.behaviors[0].name, "near_jon");
-  EXPECT_EQ(ida.behaviors[0].condition, (std::vector<std::string>{"MARKED_jon = true"}));
+  EXPECT_EQ(ida.behaviors[0].condition, (std::vector<std::string>{"MARKED_JON = true"}));
   EXPECT_EQ(std::get<TrailOptions>(ida.behaviors[0].what).contact.contact, "jon");
+}
+
+TEST(ImportMoos, MakesACutRangeForEachOtherVehicleByDefault) {
+  for (const bool is_off : {false, true}) {
+    const MoosImport import = ImportMoos(
+        std::vector<MoosSource>{
+            {.name = "v.moos", .text = std::string(kHelmMoos)},
+            {.name = "v.bhv",
+             .text = "Behavior = BHV_CutRange\n{\nname = cut_\ntemplating = spawn\nupdates = C\n" +
+                     std::string(is_off ? "no_alert_request = true\n" : "") + "}\n"}},
+        {.defines = {}, .vehicles = {{{"VNAME", "ida"}}, {{"VNAME", "jon"}}}, .find = {}});
+    const shoal::Vehicle ida = Loaded(import).mission.vehicles.at(0);
+    ASSERT_EQ(ida.behaviors.size(), 1U);
+    EXPECT_EQ(ida.behaviors[0].name, is_off ? "cut_" : "cut_jon");
+  }
 }
 
 TEST(ImportMoos, LimitsNoRangeWherePShareTakesReportsFromVehicleToVehicle) {

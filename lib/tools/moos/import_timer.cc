@@ -22,6 +22,9 @@
 namespace shoal {
 namespace {
 
+/// What becomes of a condition.
+constexpr std::string_view kTakenAsHeld = "taken as if it held from the start";
+
 bool IsOverride(std::string_view variable) {
   return variable.starts_with("MOOS_MANUAL_OVERIDE") ||
          variable.starts_with("MOOS_MANUAL_OVERRIDE");
@@ -151,7 +154,8 @@ Script ReadScript(const MoosBlock& block, TimerScript* result) {
       script.is_paused = true;
       lose(line, "the script waits until a message starts it: its events are not taken");
     } else if (key == "condition") {
-      lose(line, "taken as if it held from the start");
+      result->conditions.emplace_back(line.value);
+      lose(line, std::string(kTakenAsHeld));
     } else if (key == "upon_awake") {
       result->taken.push_back(line.number);  // Conditions hold from the start.
     }
@@ -178,6 +182,7 @@ class ScriptRun {
     constexpr size_t kMostEvents = 500;
     double begin_s = 0;
     for (int round = 0; round <= script_.num_resets; ++round) {
+      round_ = round;
       if (round == 0 || script_.shuffles) DrawTimes();
       if (round > 0) {
         for (RandomVariable& variable : variables_) {
@@ -233,6 +238,7 @@ class ScriptRun {
       if (script_.reset_s && script_.num_resets > 0 && clock_s > *script_.reset_s) continue;
       last_s = std::max(last_s, clock_s);
       TimerEvent event{.line = post.event->line, .origin = post.event->origin};
+      event.round = round_;
       event.at_s = TimerRounded(begin_s + clock_s / warp);
       event.reason = post.event->problem;
       event.is_needless = post.event->is_needless;
@@ -283,7 +289,7 @@ class ScriptRun {
       event->keys = std::move(*keys);
     } else {
       event->reason = std::get<std::string>(converted);
-      event->is_needless = event->reason == kOnlyDraws;
+      event->is_needless = event->reason == kOnlyDraws || event->reason == kOnlySounds;
     }
   }
 
@@ -293,6 +299,7 @@ class ScriptRun {
   std::vector<RandomVariable> variables_;
   Stream stream_;
   std::vector<Post> posts_;
+  int round_ = 0;
   int total_ = 0;
 };
 
@@ -308,6 +315,17 @@ TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
   TimerScript result;
   const Script script = ReadScript(block, &result);
   ScriptRun(script, vehicle, convert).Run(&result);
+  result.is_repeated = script.num_resets > 0;
+  const bool any = std::any_of(result.events.begin(), result.events.end(),
+                               [](const TimerEvent& event) { return !event.keys.empty(); });
+  if (!any && !script.is_paused) {
+    // What its conditions are is no matter: what is lost are its events.
+    std::erase_if(result.losses, [&](const auto& loss) {
+      if (loss.second != kTakenAsHeld) return false;
+      result.taken.push_back(loss.first);
+      return true;
+    });
+  }
   for (TimerEvent& event : result.events) {
     if (!script.is_paused || event.keys.empty()) continue;
     event.keys.clear();

@@ -33,6 +33,7 @@ struct TimerEvent {
       {};                    ///< Without at_s; empty: see `reason`.
   std::string assumed = {};  ///< What was assumed to make it one; may be empty.
   std::string reason = {};   ///< Why it is no [[event]].
+  int round = 0;             ///< Of a script that is repeated.
   bool is_needless = false;  ///< Nothing is lost without it: `reason` is no warning.
 };
 
@@ -40,6 +41,8 @@ struct TimerScript {
   std::vector<TimerEvent> events;
   /// Lines that change what the script does and are not taken: their numbers, and how.
   std::vector<std::pair<int, std::string>> losses;
+  std::vector<std::string> conditions = {};  ///< All of which hold while its clock runs.
+  bool is_repeated = false;
   /// Numbers of lines that count and are no events: random variables, delays, rounds.
   std::vector<int> taken = {};
 };

@@ -266,4 +266,71 @@ TEST(ImportMoos, LimitsTheThrustMapToTheFastestSpeed) {
   EXPECT_EQ(map("max_speed = 9\nthrust_factor = 20"), (std::vector<ThrustPoint>{{100, 5}}));
 }
 
+/// Imports a vehicle with a script and a behavior that goes by GO.
+MoosImport WithScript(const std::string& lines, const std::string& reporter = "") {
+  return ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos",
+       .text = "Community = ida\nProcessConfig = pHelmIvP\n{\nDomain = depth:0:20:21\n}\n"
+               "ProcessConfig = uTimerScript\n{\n" +
+               lines + "\n}\nProcessConfig = pNodeReporter\n{\n" + reporter + "}\n"},
+      {.name = "ida.bhv",
+       .text = "initialize READY = false\nBehavior = BHV_Waypoint\n{\nname = leg\n"
+               "condition = GO = true\nspeed = 1\npoints = 0,0\n}\n" +
+               std::string(
+                   reporter.empty() ? "" : "Behavior = BHV_PeriodicSurface\n{\nname = up\n}\n")}});
+}
+
+TEST(ImportMoos, LetsAScriptWaitForWhatBehaviorsKnow) {
+  const MoosImport import = WithScript(
+      "condition = READY = true\ncondition = TIME_AT_SURFACE > 3\ndelay_start = 5\n"
+      "event = var=GO, val=true, time=10\nevent = var=READY, val=no, time=20");
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  const LoadedMission loaded = LoadMissionText(import.mission, "m.toml");
+  ASSERT_EQ(loaded.errors, std::vector<std::string>{}) << import.mission;
+  const auto& behaviors = loaded.mission.vehicles.front().behaviors;
+  ASSERT_EQ(behaviors.size(), 3U) << import.mission;
+  EXPECT_EQ(behaviors[1].name, "script_001");
+  EXPECT_EQ(behaviors[1].condition,
+            (std::vector<std::string>{"READY = true", "TIME_AT_SURFACE > 3"}));
+  EXPECT_EQ(behaviors[1].duration, 15);
+  EXPECT_FALSE(behaviors[1].duration_idle_decay) << "its clock stands while they do not hold";
+  EXPECT_FALSE(behaviors[1].perpetual);
+  EXPECT_EQ(behaviors[1].flags.endflag, std::vector<std::string>{"GO=true"});
+  EXPECT_EQ(behaviors[2].flags.endflag, std::vector<std::string>{"READY=no"});
+  EXPECT_TRUE(loaded.mission.events.empty());
+}
+
+TEST(ImportMoos, LetsARepeatedScriptBeginAnewAfterItsConditionsHaveFailed) {
+  const MoosImport import = WithScript(
+      "condition = TIME_AT_SURFACE > 3\nreset_max = nolimit\nreset_time = end\n"
+      "event = var=GPS_UPDATE_RECEIVED, val=1, time=2",
+      "platform_type = uuv\n");
+  ASSERT_EQ(import.warnings.size(), 1U);
+  EXPECT_NE(import.warnings[0].find("becomes a Remus 100"), std::string::npos);
+  const LoadedMission loaded = LoadMissionText(import.mission, "m.toml");
+  const auto& behaviors = loaded.mission.vehicles.front().behaviors;
+  ASSERT_EQ(behaviors.size(), 3U) << import.mission;
+  EXPECT_TRUE(behaviors[2].perpetual);
+}
+
+TEST(ImportMoos, TakesAConditionThatBehaviorsDoNotKnowAsIfItHeldAndWarns) {
+  const MoosImport import =
+      WithScript("condition = WIND = true\nevent = var=GO, val=true, time=10");
+  ASSERT_EQ(import.warnings.size(), 1U);
+  EXPECT_EQ(import.warnings[0],
+            "ida.moos:8: condition = WIND = true: taken as if it held from the start");
+  EXPECT_EQ(LoadMissionText(import.mission, "m.toml").mission.events.size(), 1U);
+}
+
+TEST(TimerScript, DoesNotNameTheConditionsOfEventsThatAreLostAnyway) {
+  EXPECT_TRUE(Read("condition = WIND = true\nevent = var=SENSOR, val=1").losses.empty());
+  EXPECT_EQ(Read("condition = WIND = true\nevent = var=DEPLOY_ALL, val=true").losses.size(), 1U);
+}
+
+TEST(TimerScript, LosesNothingByWhatIsOnlyASound) {
+  const TimerScript script = Read("event = var=SAY_MOOS, val=\"text={one}\", time=1");
+  EXPECT_TRUE(script.events.at(0).keys.empty());
+  EXPECT_TRUE(script.events.at(0).is_needless);
+}
+
 }  // namespace shoal::import_timer_test

@@ -143,6 +143,30 @@ void VehicleImport::SetWithDeploy(const std::vector<std::pair<std::string, std::
   behaviors_.tables.push_back(std::move(table));
 }
 
+void VehicleImport::AddTimer(const ScriptTimer& timer) {
+  BhvTable table{.header = "[[vehicle.behavior]]", .lines = {}};
+  const auto set = [&](std::string key, std::string value, std::string origin, std::string reason) {
+    table.lines.push_back({.key = std::move(key),
+                           .value = std::move(value),
+                           .origin = std::move(origin),
+                           .text = "event of uTimerScript",
+                           .reason = std::move(reason),
+                           .is_essential = true});
+  };
+  std::string conditions;
+  for (const std::string& condition : timer.conditions) {
+    conditions += (conditions.empty() ? "" : ", ") + TomlString(condition);
+  }
+  set("kind", TomlString("timer"), timer.origin, timer.remark);
+  set("name", TomlString(fmt::format("script_{:03}", ++num_timers_)), "", "");
+  set("condition", "[" + conditions + "]", "", "");
+  set("duration", TomlNumber(timer.duration_s), "", "");
+  set("duration_idle_decay", "false", "", "");
+  if (timer.is_repeated) set("perpetual", "true", "", "");
+  set("endflag", "[" + timer.flag + "]", "", "");
+  behaviors_.tables.push_back(std::move(table));
+}
+
 void VehicleImport::AddTables(MissionDraft* draft) {
   draft_ = draft;
   draft->AddTable(id_, "[[vehicle]]", true);
@@ -216,7 +240,7 @@ bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
   const bool is_speed = is_sim && key == "max_speed";
   if (is_sim && TakeNoLimit(key, origin, line)) return true;
   const bool is_domain = app_class == "phelmivp" && key == "domain";
-  if (is_domain) return TakeDomain(origin, line);
+  if (is_domain) return TakeDomain(origin, line, warnings);
   const bool is_extra = app_class == "pnodereporter" && key == "platform_aspect";
   if (!is_start && !is_thrust && !is_drift && !is_extra && !is_speed) return false;
   if (is_underwater_ && (is_thrust || is_speed)) {
@@ -350,13 +374,14 @@ bool VehicleImport::TakeMaxSpeed(const std::string& origin, const MoosLine& line
 
 /// `Domain = speed:0:4:41` is what the helm decides about; the depths' last is also how deep a
 /// vehicle may go.
-bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line) {
+bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line,
+                               std::vector<std::string>* warnings) {
   const std::vector<std::string_view> parts = TrimmedParts(line.value, ':');
   if (parts.size() < 4) return false;
   const std::string name = LowerCase(parts[0]);
-  const auto first = NumberIn(parts[1]);
+  auto first = NumberIn(parts[1]);
   const auto last = NumberIn(parts[2]);
-  const auto count = NumberIn(parts[3]);
+  auto count = NumberIn(parts[3]);
   if (!first || !last || !count) return false;
   const std::string table = id_ + ".domain";
   if (name == "course" || name == "heading") {
@@ -370,12 +395,22 @@ bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line) 
     draft_->Remark(table, origin, line.text, "a surface craft has no depth");
     return true;
   }
+  std::string reason;
+  if (name == "speed" && *first > 0 && *last > *first && *count > 1) {
+    // As many steps as fit below, so that a vessel can stop.
+    count = std::round(*last / (*last - *first) * (*count - 1)) + 1;
+    first = 0;
+    reason = fmt::format("Assumed: from 0 m/s on, not {}, so that a vessel can stop.",
+                         Trimmed(parts[1]));
+    warnings->push_back(
+        fmt::format("{}: {}: taken from 0 m/s on, so that a vessel can stop", origin, line.text));
+  }
   draft_->Set(table, {.key = name,
                       .value = fmt::format("[{}, {}, {}]", TomlNumber(*first), TomlNumber(*last),
                                            TomlNumber(*count)),
                       .origin = origin,
                       .text = line.text,
-                      .reason = ""});
+                      .reason = reason});
   if (name == "depth") {
     draft_->Set(TableOf(SettingPlace::kCraft), {.key = "max_depth_m",
                                                 .value = TomlNumber(*last),

@@ -30,6 +30,16 @@ struct LinkFactorSetting {
 /// Returns nothing where the value is not vname=NAME, KEY=NUMBER.
 [[nodiscard]] std::optional<LinkFactorSetting> ParseLinkFactor(const MoosLine& line);
 
+/// A behavior of the kind timer that sets a variable.
+struct ScriptTimer {
+  std::vector<std::string> conditions;
+  double duration_s = 0;  ///< While the conditions hold.
+  std::string flag;       ///< "\"GO=true\"", as TOML.
+  bool is_repeated = false;
+  std::string origin;
+  std::string remark;
+};
+
 class VehicleImport {
  public:
   /// `remark` stands above its name. Made-up vehicles are not `is_imported`. An `is_underwater` one
@@ -45,6 +55,9 @@ class VehicleImport {
   /// names and values.
   void SetWithDeploy(const std::vector<std::pair<std::string, std::string>>& settings,
                      const std::string& origins);
+
+  /// @pre before AddTables().
+  void AddTimer(const ScriptTimer& timer);
 
   /// `deploy` leaves its variable STATION_KEEP alone, as the mission's own button does.
   void KeepStation(std::string origins) { station_origins_ = std::move(origins); }
@@ -96,7 +109,8 @@ class VehicleImport {
   bool TakeThrustFactor(const std::string& origin, const MoosLine& line);
   bool TakeDrift(std::string_view key, const std::string& origin, const MoosLine& line);
   bool TakeMaxSpeed(const std::string& origin, const MoosLine& line);
-  bool TakeDomain(const std::string& origin, const MoosLine& line);
+  bool TakeDomain(const std::string& origin, const MoosLine& line,
+                  std::vector<std::string>* warnings);
   void ReplaceThrust(const std::string& origin, const MoosLine& line);
   void LimitThrustMap();
   void SetThrustMap();
@@ -110,6 +124,7 @@ class VehicleImport {
   bool is_imported_;
   bool is_underwater_;
   BhvImport behaviors_;
+  int num_timers_ = 0;
   MissionDraft* draft_ = nullptr;
   Gathered start_;
   Gathered extra_;

@@ -95,11 +95,12 @@ class MoosFileParser {
             .value = written};
   }
 
-  void Odd(const PluggedLine& line, std::string reason) {
+  void Odd(const PluggedLine& line, std::string reason, bool is_loss = true) {
     file_.odd_lines.push_back({.number = line.number,
                                .origin = line.origin,
                                .text = line.text,
-                               .reason = std::move(reason)});
+                               .reason = std::move(reason),
+                               .is_loss = is_loss});
   }
 
   /// The block that was opened last is odd.
@@ -126,7 +127,9 @@ class MoosFileParser {
 
   void Outside(const PluggedLine& line) {
     MoosLine split = Split(line);
-    if (split.key.empty()) {
+    if (line.text.starts_with('/')) {
+      Odd(line, "is a remark", false);
+    } else if (split.key.empty()) {
       Odd(line, "is neither KEY = VALUE nor part of a ProcessConfig block");
     } else if (LowerCase(split.key) == "processconfig") {
       OpenBlock(line);

@@ -35,6 +35,7 @@ class EventConverter {
 
   ConvertedEvent Convert(const std::string& posted, const std::string& value) const {
     if (posted.starts_with("VIEW_")) return std::string(kOnlyDraws);
+    if (posted == "SAY_MOOS") return std::string(kOnlySounds);
     const bool may_be_bridged = vehicle_.empty() && find_bridge_ != nullptr;
     const std::string bridged = may_be_bridged ? find_bridge_(posted) : "";
     const std::string& variable = bridged.empty() ? posted : bridged;

@@ -20,6 +20,8 @@ using ConvertedEvent = std::variant<EventKeys, std::string>;
 /// The reason of a post that loses nothing.
 inline constexpr std::string_view kOnlyDraws = "only draws: the viewer has a way of its own";
 
+inline constexpr std::string_view kOnlySounds = "is only a sound";
+
 /// Returns what the post of `value` to the variable `posted` is. The other arguments are those of
 /// ReadTimerScript.
 [[nodiscard]] ConvertedEvent ConvertEvent(const std::string& posted, const std::string& value,
