@@ -38,11 +38,12 @@ bool GivesSpeed(const AnyBehavior& what) {
                  FullStopOptions, RubberBandOptions>(what);
 }
 
-/// Beginnings of the names of variables that behaviors report.
-constexpr std::array<std::string_view, 19> kReports = {
-    "WPT_",        "CYCLE_",  "LOITER_", "PSKEEP_",   "DIST_TO_", "OPREG_",  "LEGRUN_",
-    "PURSUIT",     "REGION",  "TRAIL_",  "PERIODIC_", "PENDING_", "TIME_AT", "ZIG",
-    "GO_TO_DEPTH", "FIXTURN", "BHV_",    "CONTACT_",  "NAV_"};
+/// Beginnings of the names of variables that behaviors report, and those of the vessel itself.
+constexpr std::array<std::string_view, 23> kReports = {
+    "WPT_",    "CYCLE_",  "LOITER_",     "PSKEEP_",   "DIST_TO_",  "OPREG_",
+    "LEGRUN_", "PURSUIT", "REGION",      "TRAIL_",    "PERIODIC_", "PENDING_",
+    "TIME_AT", "ZIG",     "GO_TO_DEPTH", "FIXTURN",   "BHV_",      "CONTACT_",
+    "NAV_X",   "NAV_Y",   "NAV_HEADING", "NAV_SPEED", "NAV_DEPTH"};
 
 void CheckNames(const Vehicle& vehicle, const TablePlace& place) {
   const auto& behaviors = vehicle.behaviors;

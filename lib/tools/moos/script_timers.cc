@@ -19,8 +19,9 @@ bool IsOrder(std::string_view name) {
 
 /// Returns true for a variable that behaviors report by themselves.
 bool IsReported(std::string_view name) {
-  constexpr std::string_view kBegins[] = {"WPT_",      "CYCLE_",   "LOITER_", "DIST_TO_",
-                                          "PERIODIC_", "PENDING_", "TIME_AT", "NAV_"};
+  constexpr std::string_view kBegins[] = {"WPT_",      "CYCLE_",      "LOITER_",   "DIST_TO_",
+                                          "PERIODIC_", "PENDING_",    "TIME_AT",   "NAV_X",
+                                          "NAV_Y",     "NAV_HEADING", "NAV_SPEED", "NAV_DEPTH"};
   return std::any_of(std::begin(kBegins), std::end(kBegins),
                      [&](std::string_view begin) { return name.starts_with(begin); });
 }
