@@ -55,6 +55,7 @@ constexpr char kTrack[] = R"(
 kind = "target_track"
 target = "v1"
 compensate_current = false
+speed_along_bow = false
 climb_mps = 0
 max_pitch_deg = 90
 )";

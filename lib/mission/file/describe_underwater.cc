@@ -121,6 +121,7 @@ void Describe(Fields& fields, TargetTrackTask& task, const StartPose&) {
   fields.Choice("on_target_end", task.on_target_end, kTargetEnds);
   fields.Number("hold_radius_m", task.hold_radius_m, Above(0, 10'000));
   fields.Flag("compensate_current", task.compensate_current);
+  fields.Flag("speed_along_bow", task.speed_along_bow);
   static_assert(kLaws.size() == std::variant_size_v<decltype(track.law)>, "each law has a word");
   std::string law(kLaws.at(track.law.index()));
   fields.Word("law", law, kLaws);

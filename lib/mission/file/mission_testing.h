@@ -458,6 +458,7 @@ class MissionDraw {
     track.on_target_end = static_cast<TargetEndRule>(Integer(0, 3));
     track.hold_radius_m = Positive(10'000);
     track.compensate_current = Coin();
+    track.speed_along_bow = Coin();
     track.track.u_max_mps = Positive(50);
     track.track.depth = {.z_max_m = Number(1, 20'000),
                          .z_min_m = Number(0, 0.9),

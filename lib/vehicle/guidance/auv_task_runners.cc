@@ -223,6 +223,10 @@ Guidance TargetTrackRunner::Follow(const Fix& fix) {
     command = CommandOf(command.velocity_mps - fix.surroundings->current_mps, command.psi_d_rad,
                         tracker_.params().max_pitch_rad);
   }
+  if (task_.speed_along_bow) {
+    room_.Limit(*fix.surroundings, PsiFromHeading(fix.heading_rad), tracker_.params().u_max_mps,
+                &command);
+  }
   const Eigen::Vector3d& target_m = fix.surroundings->target->position_m;
   guidance.heading_rad = HeadingFromPsi(command.psi_d_rad);
   guidance.speed_mps = command.speed_mps;

@@ -218,6 +218,21 @@ TEST(TargetTrackRunner, TakesTheCurrentOffWhatItWantsOverGroundUnlessTurnedOff) 
   EXPECT_NEAR(RadToDeg(WrapPi(munet.Update(fix).heading_rad)), 0, 1e-9);
 }
 
+TEST(TargetTrackRunner, TurnsBeforeAWallWithNoMoreThanTheSpeedAlongTheBowUnlessTurnedOff) {
+  Surroundings seen;
+  seen.own.position_m = {0, 0, 20};
+  seen.target = Neighbour{.id = 1, .position_m = {-100, 0, 20}, .velocity_mps = {-1.5, 0, 0}};
+  const std::vector<SonarEcho> wall = {{.direction = {1, 0, 0}, .range_m = 9}};
+  Fix fix = At({0, 0, 20}, 1, 90);
+  fix.surroundings = &seen;
+  TargetTrackTask task = Following();
+  EXPECT_GT(TaskRunner(task, fix).Update(fix).speed_mps, 1) << "in open water it turns";
+  seen.sonar = wall;
+  EXPECT_EQ(TaskRunner(task, fix).Update(fix).speed_mps, 0);
+  task.speed_along_bow = false;
+  EXPECT_GT(TaskRunner(task, fix).Update(fix).speed_mps, 1);
+}
+
 /// A follower at (0, 0, 20) that heads 70 degrees, whose target, 400 m West of it, may be silent.
 class SilentLeader {
  public:

@@ -24,6 +24,12 @@ TrackCommand CommandOf(const Eigen::Vector3d& velocity_mps, double held_psi_rad,
   return command;
 }
 
+double TrackCommand::SpeedAlongBow_mps(double psi_rad) const {
+  const auto [sine, cosine] = SinCos(psi_rad);
+  const auto [up, level] = SinCos(theta_d_rad);
+  return std::max(0.0, velocity_mps.dot(Eigen::Vector3d(level * cosine, level * sine, -up)));
+}
+
 TargetTracker::TargetTracker(TargetTrackParams params, double psi_rad)
     : params_(std::move(params)), psi_d_rad_(WrapPi(Plausible(psi_rad))) {}
 

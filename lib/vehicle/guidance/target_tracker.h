@@ -37,6 +37,10 @@ struct TrackCommand {
   double speed_mps = 0;                                    ///< >= 0.
   Eigen::Vector3d velocity_mps = Eigen::Vector3d::Zero();  ///< What the law wants, depth-limited.
 
+  /// Returns the part of the speed that goes along the bow of a vehicle on `psi_rad` at the pitch
+  /// theta_d; 0 where that is astern.
+  [[nodiscard]] double SpeedAlongBow_mps(double psi_rad) const;
+
   /// Returns the propeller speed by the vehicle's own map.
   template <class RpmOfSpeed>
   [[nodiscard]] double Rpm(RpmOfSpeed&& rpm_of_speed) const {

@@ -207,6 +207,9 @@ struct TargetTrackTask {
   /// Steers so that the velocity that the law wants comes about over ground. False: as if there
   /// were no current, MuNet's.
   bool compensate_current = true;
+  /// Asks the propeller for the part of the wanted velocity along the bow: less in a turn, nothing
+  /// where it would have to go astern. False: for all of it, wherever the bow points, MuNet's.
+  bool speed_along_bow = true;
   /// By default layers for the group, the formation and the target's motion.
   TargetTrackParams track = {
       .law = VelocityCascade{{SurvivalGroupLayer{}, FormationLayer{}, FeedForwardLayer{}}},

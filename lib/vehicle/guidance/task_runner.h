@@ -21,6 +21,7 @@
 #include "lib/vehicle/guidance/surroundings.h"
 #include "lib/vehicle/guidance/target_tracker.h"
 #include "lib/vehicle/guidance/task.h"
+#include "lib/vehicle/guidance/turning_room.h"
 
 namespace shoal {
 
@@ -195,6 +196,7 @@ class TargetTrackRunner {
   void AvoidOthers(const Surroundings& surroundings, Guidance* guidance) const;
 
   TargetTracker tracker_;
+  TurningRoom room_;
   TargetTrackTask task_;
   TargetEndWatch end_watch_;
   std::optional<Waiting> wait_;
