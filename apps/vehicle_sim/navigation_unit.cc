@@ -10,7 +10,8 @@
 #include "lib/base/geometry/angles.h"
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
-#include "lib/vehicle/vehicle/sway_in_turns.h"
+#include "lib/vehicle/navigation/assumed_motion.h"
+#include "lib/vehicle/vehicle/remus100.h"
 
 namespace shoal {
 
@@ -24,11 +25,7 @@ FilterOptions TuningOf(const Vehicle& vehicle) {
   FilterOptions tuning;
   tuning.gate_probability = vehicle.navigation.gate_probability;
   if (const auto* remus100 = std::get_if<Remus100Options>(&vehicle.model)) {
-    // What that leaves of the sway, tuned in navigation_coverage_test.cc.
-    tuning.sway_in_turns = SwayInTurnsOf(BuildRemus100(ParamsOf(*remus100)));
-    tuning.sway_mps = 0.02;
-    tuning.sway_share = 0.2;
-    tuning.sway_time_s = 10;
+    AssumeMotionOf(BuildRemus100(ParamsOf(*remus100)), &tuning);
   }
   return tuning;
 }

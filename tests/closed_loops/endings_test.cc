@@ -397,4 +397,65 @@ TEST_P(EndOfTheLeader, BringsItsFollowersToTheSurfaceWhereTheyDriftApartFromEach
   RecordProperty("closest_m", std::to_string(closest_m));
 }
 
+/// An AUV that nothing has deployed, and a mast that it reports to by radio.
+constexpr char kParked[] = R"(
+[mission]
+duration_s = 120
+seed = 5
+
+[comms]
+comms_range = "nolimit"
+reports_over = "vhf"
+
+[[medium]]
+name = "vhf"
+kind = "radio"
+range_m = 2000
+
+[[vehicle]]
+name = "alpha"
+model = "remus100"
+length_m = 1.6
+start = {x_m = 50, y_m = 0, heading_deg = 90}
+navigation = {grade = "survey"}
+
+[[vehicle.task]]
+kind = "station_keep"
+
+[[vehicle]]
+name = "shore"
+model = "buoy"
+type = "shore"
+start = {x_m = 0, y_m = 0}
+antenna_height_m = 10
+)";
+
+TEST(AParkedAuv, FloatsWithItsAntennasOutSoThatReportsAndFixesCome) {
+  const LoadedMission loaded = LoadMissionText(kParked, "parked.toml");
+  for (const std::string& error : loaded.errors) ADD_FAILURE() << error;
+  ASSERT_TRUE(loaded.errors.empty());
+  Simulation simulation(loaded.mission, "");
+  int num_reports = 0;
+  int num_delivered = 0;
+  Subscribe(simulation.bus(), channels::CommsFates(), [&](const comms_fates_t& fates) {
+    for (const fate_t& fate : fates.fates) {
+      if (fate.kind != "report") continue;
+      ++num_reports;
+      if (fate.cause == "delivered") ++num_delivered;
+    }
+  });
+  navigation_t navigation{};
+  Subscribe(simulation.bus(), channels::Navigation("alpha"),
+            [&](const navigation_t& each) { navigation = each; });
+  double deepest_m = 0;
+  Subscribe(simulation.bus(), channels::Nav("alpha"),
+            [&](const nav_t& nav) { deepest_m = std::max(deepest_m, nav.z_m); });
+  while (simulation.Step()) {
+  }
+  EXPECT_LT(deepest_m, 0.3);
+  EXPECT_GT(num_reports, 400);  // Both report twice a second.
+  EXPECT_EQ(num_delivered, num_reports);
+  EXPECT_GT(navigation.num_gps, 100);
+}
+
 }  // namespace shoal::endings_test

@@ -161,7 +161,7 @@ void DescribeKind(Fields& fields, HysteresisOptions& o, bool) {
   fields.Number("memory_time", o.memory_time, Above(0, kLongest_s));
   fields.Number("min_heading_window", o.min_heading_window, Between(0, 360));
   fields.Number("max_heading_window", o.max_heading_window, Between(0, 360));
-  fields.Number("max_window_utility", o.max_window_utility, kPercentRange);
+  fields.Number("max_window_utility", o.max_window_utility, Above(0, 100));
   if (o.min_heading_window > o.max_heading_window) {
     fields.Refuse("min_heading_window",
                   "min_heading_window must not be greater than max_heading_window");

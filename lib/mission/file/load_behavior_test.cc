@@ -226,6 +226,15 @@ id = "rock"
             "24:6: no [[obstacle]] has the id 'rock'\n");
 }
 
+TEST(BehaviorErrors, OfAHysteresisWithoutEffect) {
+  constexpr std::string_view kHysteresis =
+      "[[vehicle.behavior]]\nkind = \"hysteresis\"\nmemory_time = 20\nmax_window_utility = ";
+  EXPECT_EQ(ErrorsAfter(std::string(kHysteresis) + "0.1\n"), "");
+  EXPECT_EQ(ErrorsAfter(std::string(kHysteresis) + "100\n"), "");
+  const std::string refused = ErrorsAfter(std::string(kHysteresis) + "0\n");
+  EXPECT_NE(refused.find("max_window_utility"), std::string::npos) << refused;
+}
+
 TEST(BehaviorErrors, OfModesDomainVariablesAndObstacles) {
   EXPECT_EQ(ErrorsAfter(R"([vehicle.domain]
 speed = [1, 5, 41]
