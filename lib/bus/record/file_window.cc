@@ -71,8 +71,9 @@ Result<FileWindow> FileWindow::Open(const std::string& path) {
     if (!table.ok()) return Error{"cannot read " + path + ": " + table.error()};
     size = table->size();
     source->frames = std::move(*table);
+  } else if (size == 0 && path.ends_with(kCompressedSuffix)) {
+    source->frames = FrameTable::OfEmptyFile();
   }
-  if (size == 0 && path.ends_with(kCompressedSuffix)) source->frames = FrameTable::OfEmptyFile();
   source->stamp = StampOf(file.get());
   source->file = std::move(file);
   return FileWindow(std::move(source), size, kBufferSize);
