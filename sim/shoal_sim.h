@@ -30,7 +30,7 @@ extern "C" {
 #define SHOAL_SIM_ABI_VERSION 0
 
 /** One mission: set up, open, step, free. */
-typedef struct shoal_sim shoal_sim;
+typedef struct shoal_sim shoal_sim; /* NOLINT(modernize-use-using): C reads it. */
 
 enum shoal_sim_code {
   SHOAL_SIM_OK = 0,

@@ -127,6 +127,10 @@ void AppendPoseInFrame(const nav_t& nav, std::string* out) {
   const auto [sr, cr] = SinCos(roll);
   const auto [sp, cp] = SinCos(pitch);
   const auto [sy, cy] = SinCos(yaw);
+  const double x = sr * cp * cy - cr * sp * sy;
+  const double y = cr * sp * cy + sr * cp * sy;
+  const double z = cr * cp * sy - sr * sp * cy;
+  const double w = cr * cp * cy + sr * sp * sy;
   AppendTimestamp(1, nav.utime, out);
   AppendProtoText(2, kMissionFrame, out);
   AppendProtoMessage(3, out, [&] {
@@ -136,10 +140,10 @@ void AppendPoseInFrame(const nav_t& nav, std::string* out) {
       AppendProtoDouble(3, 0 - nav.z_m, out);
     });
     AppendProtoMessage(2, out, [&] {
-      AppendProtoDouble(1, sr * cp * cy - cr * sp * sy, out);
-      AppendProtoDouble(2, cr * sp * cy + sr * cp * sy, out);
-      AppendProtoDouble(3, cr * cp * sy - sr * sp * cy, out);
-      AppendProtoDouble(4, cr * cp * cy + sr * sp * sy, out);
+      AppendProtoDouble(1, x, out);
+      AppendProtoDouble(2, y, out);
+      AppendProtoDouble(3, z, out);
+      AppendProtoDouble(4, w, out);
     });
   });
 }

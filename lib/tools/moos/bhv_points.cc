@@ -378,10 +378,12 @@ Result<BhvPoints> MakeZigzag(std::string_view whole, std::string_view text) {
   }
   BhvPoints zigzag{.points_m = {Snapped(start_m, snap_m)}, .assumed = ""};
   double side = -1;
-  for (double at_m = period_m / 4; at_m < length_m; at_m += period_m / 2) {
+  double at_m = period_m / 4;
+  while (at_m < length_m) {
     const Eigen::Vector2d vector_m = Turned(Eigen::Vector2d(side * amplitude_m, at_m), angle_deg);
     zigzag.points_m.push_back(Snapped(start_m + vector_m, snap_m));
     side = -side;
+    at_m += period_m / 2;
   }
   return zigzag;
 }

@@ -58,7 +58,8 @@ std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::s
       has_contact = has_contact || is_contact;
       if (key == "name" || key == "descriptor") line.value += contact;
       line.value = is_contact ? contact : WithContact(line.value, contact, key == "condition");
-      line.text = line.key + " = " + line.value;
+      line.text = line.key;
+      line.text.append(" = ").append(line.value);
       one.lines.push_back(std::move(line));
     }
     for (const auto& [key, value] :

@@ -482,7 +482,7 @@ class Importer {
       // The order `deploy` sets these itself.
       if (variable.empty() || variable == "DEPLOY" ||
           ((variable == "RETURN" || variable == "STATION_KEEP") && LowerCase(value) == "false") ||
-          value.find("$") != value.npos) {
+          value.find('$') != value.npos) {
         continue;
       }
       settings.emplace_back(variable, value);

@@ -67,7 +67,7 @@ std::string VariableOfPost(std::string_view posted, bool is_own, const VehicleIm
   for (const std::string& suffix :
        {std::string(), std::string("_ALL"), "_" + UpperCase(vehicle.name())}) {
     if (!UpperCase(name).ends_with(suffix) || suffix.size() >= name.size()) continue;
-    const std::string variable = name.substr(0, name.size() - suffix.size());
+    std::string variable = name.substr(0, name.size() - suffix.size());
     if (suffix.empty() && !is_own) continue;
     if (vehicle.behaviors().variables.contains(variable)) return variable;
   }
@@ -116,7 +116,7 @@ std::string OrderImport::Add(const MoosButton& button, const VehicleImport* own,
     }
   }
   if (commands.empty() || num_tables_ + commands.size() > kMostTables) return {};
-  const std::string name = NameOf(button, vehicles);
+  std::string name = NameOf(button, vehicles);
   for (const PostedCommand& command : commands) {
     const std::string table = fmt::format("order {}", num_tables_++);
     draft->AddTable(table, "[[order]]");

@@ -264,10 +264,9 @@ class LaunchReader {
         word += Quoted(part.substr(1, part.size() - 2), line);
         is_there = true;
       } else if (part[0] == '$' || part[0] == '`') {
-        size_t used = part.size();
         std::string_view reference = part;
         if (part == "$") {
-          used = 1;
+          size_t used = 1;
           while (i + used - 1 < raw.size() && IsNameCharacter(raw[i + used - 1])) ++used;
           if (used == 1 && i < raw.size()) used = 2;  // $?, $$, $@, $#
           reference = raw.substr(i - 1, used);

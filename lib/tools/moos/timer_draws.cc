@@ -49,20 +49,15 @@ std::optional<RandomVariable> ParseRandomVariable(std::string_view text) {
       variable.key = LowerCase(field.value);
     } else if (key == "type") {
       variable.is_gaussian = LowerCase(field.value) == "gaussian";
-    } else if (!number) {
-      return std::nullopt;
-    } else if (key == "min") {
-      variable.min = *number;
-    } else if (key == "max") {
-      variable.max = *number;
-    } else if (key == "snap") {
-      variable.snap = *number;
-    } else if (key == "mu") {
-      variable.mu = *number;
-    } else if (key == "sigma") {
-      variable.sigma = *number;
     } else {
-      return std::nullopt;
+      double* const place = key == "min"     ? &variable.min
+                            : key == "max"   ? &variable.max
+                            : key == "snap"  ? &variable.snap
+                            : key == "mu"    ? &variable.mu
+                            : key == "sigma" ? &variable.sigma
+                                             : nullptr;
+      if (place == nullptr || !number) return std::nullopt;
+      *place = *number;
     }
   }
   const bool is_drawn =

@@ -277,6 +277,7 @@ std::vector<std::string> AssignColors(const std::vector<std::string>& requested)
     taken.push_back(*color);
   }
   std::vector<std::string> texts;
+  texts.reserve(given.size());
   for (const std::optional<Rgb>& color : given) texts.push_back(TextOf(*color));
   return texts;
 }
