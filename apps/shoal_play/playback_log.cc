@@ -113,6 +113,7 @@ void PlaybackLog::SeekTo(int64_t utime) {
   }
   reader_.Seek(offset);
   std::vector<uint64_t> offsets;
+  offsets.reserve(last.size());
   for (const auto& [channel, begin] : last) offsets.push_back(begin);
   std::ranges::sort(offsets);
   holding_.clear();

@@ -65,9 +65,11 @@ std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::s
     for (const auto& [key, value] :
          {std::pair<std::string, std::string>("contact", contact), {"on_no_contact_ok", "true"}}) {
       if (key == "contact" && has_contact) continue;
+      std::string text = key;
+      text.append(" = ").append(value);
       one.lines.push_back({.number = 0,
                            .origin = block.origin,
-                           .text = key + " = " + value,
+                           .text = std::move(text),
                            .key = key,
                            .value = value});
     }
