@@ -13,7 +13,8 @@ from .errors import DecodeError
 
 LIST_TYPE = "shoal.comms_fates_t"
 COLUMNS_TYPE = "shoal.comms_fate_columns_t"
-_MAX_TEXTS = 64 << 20  # Of one message: one long name could stand for many.
+_MAX_TEXTS = 64 << 20  # Bytes of text of one message: one long name could stand for many ...
+_MAX_TEXT_OF_FATE = 256  # ... and this more for each fate.
 
 
 def list_of(columns: Row) -> Row:
@@ -36,8 +37,8 @@ def list_of(columns: Row) -> Row:
 
 
 def _is_too_long(fates: list[Row]) -> bool:
-    total = sum(len(fate[0]) + len(fate[1]) + len(fate[2]) + len(fate[5]) for fate in fates)
-    return total > _MAX_TEXTS
+    total = sum(len(fate[text]) for fate in fates for text in (0, 1, 2, 5, 6))
+    return total > _MAX_TEXTS + _MAX_TEXT_OF_FATE * len(fates)
 
 
 def _fates(

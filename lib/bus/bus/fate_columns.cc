@@ -49,10 +49,11 @@ bool IsColumns(std::span<const uint8_t> data) {
 }  // namespace
 
 bool ListOf(const comms_fate_columns_t& columns, comms_fates_t* list) {
-  size_t text_bytes = 0;  // One long name could stand for many.
   list->utime = columns.utime;
   list->fates.resize(columns.destination.size());
   list->num_fates = static_cast<int32_t>(list->fates.size());
+  const size_t max_text_bytes = kMaxFateTexts_bytes + kMaxTextOfFate_bytes * list->fates.size();
+  size_t text_bytes = 0;
   Column ranges(columns.range_m);
   Column waits(columns.wait_s);
   Column counts(columns.count);
@@ -71,7 +72,7 @@ bool ListOf(const comms_fate_columns_t& columns, comms_fates_t* list) {
     if (of == nullptr || destination == nullptr) return false;
     text_bytes += sender->kind.size() + sender->source.size() + destination->size() +
                   of->cause.size() + of->override_rule.size();
-    if (text_bytes > kMaxFateTexts_bytes) return false;
+    if (text_bytes > max_text_bytes) return false;
     fate_t& fate = list->fates[i];
     fate.kind = sender->kind;
     fate.source = sender->source;

@@ -21,12 +21,14 @@ namespace shoal {
 template <>
 [[nodiscard]] bool Decode(std::span<const uint8_t> data, comms_fates_t* message);
 
-/// Of all fates of a message: one long name could stand for many.
-inline constexpr size_t kMaxFateTexts_bytes = size_t{64} << 20;
+/// What the texts of a message's fates may have together: one long name could stand for many. A
+/// fate of shoal's own has at most 150 bytes of text.
+inline constexpr size_t kMaxFateTexts_bytes = size_t{64} << 20;  ///< Of any number of fates ...
+inline constexpr size_t kMaxTextOfFate_bytes = 256;              ///< ... and this more for each.
 
 /// Makes a list of columns. Returns false where they do not fit one another: an index, or the
 /// length of a column, is not what the others make it, or where the list's texts would have more
-/// than kMaxFateTexts_bytes.
+/// bytes than the constants above allow.
 [[nodiscard]] bool ListOf(const comms_fate_columns_t& columns, comms_fates_t* list);
 
 /// Returns the bytes of a comms_fates_t, made in `storage`, where `message` is a

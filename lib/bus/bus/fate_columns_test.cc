@@ -107,8 +107,8 @@ TEST(FateColumns, AreRefusedWhereALongNameWouldStandForMany) {
     comms_fates_t list;
     return Decode(Encoded(columns), &list);
   };
-  EXPECT_TRUE(repeat(60));
-  EXPECT_FALSE(repeat(64));
+  EXPECT_TRUE(repeat(64)) << "the 64 MiB of any number of fates";
+  EXPECT_FALSE(repeat(65));
 }
 
 TEST(FateColumns, StandForTheSameBytesAsTheList) {
