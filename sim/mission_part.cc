@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 #include "apps/recorder/recorder_app.h"
@@ -21,10 +21,14 @@ constexpr int kMaxRestarts = 5;  ///< Of one participant, as in `shoal run`.
 /// Asks for the first lines of an object, where apps and buses keep what every step needs: a step
 /// meets each of thousands of participants once, after the caches have forgotten it.
 void Prefetch(const void* object) {
-  constexpr size_t kLine_bytes = 64;
-  constexpr size_t kLines = 10;
-  const auto* const begin = static_cast<const std::byte*>(object);
-  for (size_t i = 0; i < kLines; ++i) __builtin_prefetch(begin + i * kLine_bytes);
+  constexpr uintptr_t kLine_bytes = 64;
+  constexpr uintptr_t kLines = 10;
+  const auto begin = reinterpret_cast<uintptr_t>(object);
+  for (uintptr_t i = 0; i < kLines; ++i) {
+    // An address, since the object may be smaller: a pointer may not leave it.
+    // NOLINTNEXTLINE(performance-no-int-to-ptr)
+    __builtin_prefetch(reinterpret_cast<const void*>(begin + i * kLine_bytes));
+  }
 }
 
 /// Of Interests(): the first byte, then each channel, ended by '\n'.

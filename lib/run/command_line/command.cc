@@ -22,8 +22,8 @@ struct CheckError : CLI::ParseError {
       : CLI::ParseError("CheckError", text, CLI::ExitCodes::ValidationError) {}
 };
 
-/// Returns what is wrong with a number that is none, as "nan", or nothing. Words are CLI11's
-/// matter.
+/// Returns what is wrong with "nan" and "inf"; empty: nothing is. CLI11 itself refuses a text that
+/// is not a number.
 std::string IsFinite(const std::string& text) {
   char* end = nullptr;
   const double value = std::strtod(text.c_str(), &end);
