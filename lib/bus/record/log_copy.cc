@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <ostream>
 #include <set>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include "lib/bus/record/log_commands.h"
@@ -19,27 +21,61 @@ namespace fs = std::filesystem;
 /// A plain log is written whenever as much of it is in memory.
 constexpr int64_t kCopyPiece_bytes = 4 << 20;
 
+/// Where a copy comes to lie, and where it is written until it is whole: what is there stays till
+/// then. Both are the same where nothing lies there that a file could replace.
+struct CopyPlace {
+  fs::path target;
+  fs::path part;
+
+  bool is_apart() const { return part != target; }
+};
+
+CopyPlace PlaceOf(const std::string& out_path) {
+  std::error_code ignored;
+  const fs::path place(out_path);
+  const fs::file_type type = fs::status(place, ignored).type();
+  const bool is_link = fs::is_symlink(place, ignored);
+  const bool is_file = type == fs::file_type::regular;
+  if (!is_file && (type != fs::file_type::not_found || is_link)) return {place, place};
+  const fs::path target = is_link ? fs::canonical(place, ignored) : place;
+  // The name ends as the copy's does, which decides whether it is compressed. It has the process's
+  // number, since another copy may be the log that is read.
+  const std::string_view suffix =
+      out_path.ends_with(kCompressedSuffix) ? kCompressedSuffix : ".lcm";
+  return {target, target.parent_path() / fmt::format(".part-{}{}", getpid(), suffix)};
+}
+
+/// Begins a copy; where nothing can be made beside its place, at its place itself.
+Result<LogWriter> BeginCopy(CopyPlace* place) {
+  if (!place->is_apart()) return LogWriter::Create(place->part.string());
+  std::error_code ignored;
+  fs::remove(place->part, ignored);  // What a killed process left, or a link laid out to be hit.
+  Result<LogWriter> writer = LogWriter::Create(place->part.string());
+  if (!writer.ok()) {
+    place->part = place->target;
+    return LogWriter::Create(place->part.string());
+  }
+  if (const fs::file_status there = fs::status(place->target, ignored); fs::exists(there)) {
+    fs::permissions(place->part, there.permissions(), ignored);
+  }
+  return writer;
+}
+
 }  // namespace
 
 int LogCopy(const LogCopyOptions& options, std::ostream& out, std::ostream& err) {
   auto reader = OpenLog(options.path, options.skip_damage ? OnDamage::kSkip : OnDamage::kStop, err);
   if (!reader) return kExitEnvironment;
   if (IsLogItself(reader->path(), options.out_path, err)) return kExitUsage;
-  // Beside the copy's place, under a name that ends as it does: what is there stays till the end.
-  const fs::path place(options.out_path);
-  std::error_code error_code;
-  const fs::file_type type = fs::status(place, error_code).type();
-  const bool is_file = type == fs::file_type::regular || type == fs::file_type::not_found;
-  const fs::path target = fs::is_symlink(place, error_code) ? fs::weakly_canonical(place) : place;
-  const fs::path part =
-      is_file ? target.parent_path() / (".part-" + target.filename().string()) : place;
-  Result<LogWriter> writer = LogWriter::Create(part.string());
+  CopyPlace place = PlaceOf(options.out_path);
+  Result<LogWriter> writer = BeginCopy(&place);
   if (!writer.ok()) {
     err << writer.error() << '\n';
     return kExitEnvironment;
   }
+  std::error_code error_code;
   const auto give_up = [&](int code) {
-    if (is_file) fs::remove(part, error_code);
+    if (place.is_apart()) fs::remove(place.part, error_code);
     return code;
   };
   std::set<std::string, std::less<>> channels;
@@ -74,9 +110,10 @@ int LogCopy(const LogCopyOptions& options, std::ostream& out, std::ostream& err)
     }
     return give_up(is_whole ? kExitUsage : kExitEnvironment);
   }
-  if (is_file) fs::rename(part, target, error_code);
+  if (place.is_apart()) fs::rename(place.part, place.target, error_code);
   if (error_code) {
-    err << fmt::format("{}: cannot become the copy: {}\n", part.string(), error_code.message());
+    err << fmt::format("{}: cannot become the copy: {}\n", place.part.string(),
+                       error_code.message());
     return kExitEnvironment;
   }
   out << fmt::format("{}: {} of {} events, {} bytes of the log\n", options.out_path, num_copied,

@@ -63,7 +63,42 @@ TEST_F(LogCopy_, LeavesWhatIsThereWhereItCopiesNothing) {
   EXPECT_EQ(Copy({.path = plain_, .out_path = copy_, .selection = {.channels = {"NAV_CHARLY"}}}),
             kExitUsage);
   EXPECT_EQ(FileBytes(copy_), before);
-  EXPECT_FALSE(std::filesystem::exists(directory_.File(".part-c.lcm")));
+  const auto files = std::filesystem::directory_iterator(directory_.File(""));
+  EXPECT_EQ(std::distance(begin(files), end(files)), 2) << "the log and its copy";
+}
+
+TEST_F(LogCopy_, ReadsWhatAKilledCopyLeft) {
+  const std::string left = directory_.File(".part-c.lcm");
+  std::filesystem::rename(plain_, left);
+  ASSERT_EQ(Copy({.path = left, .out_path = copy_}), kExitOk) << err_.str();
+  EXPECT_EQ(FileBytes(copy_), FileBytes(left));
+  EXPECT_EQ(FileBytes(copy_).size(), 1750U);
+}
+
+TEST_F(LogCopy_, TakesThePlaceOfAFileWithItsPermissionsAndOfALongName) {
+  namespace fs = std::filesystem;
+  WriteBytes(copy_, {});
+  fs::permissions(copy_, fs::perms::owner_read | fs::perms::owner_write);
+  ASSERT_EQ(Copy({.path = plain_, .out_path = copy_}), kExitOk) << err_.str();
+  EXPECT_EQ(fs::status(copy_).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  const std::string longest = directory_.File(std::string(251, 'x') + ".lcm");
+  EXPECT_EQ(Copy({.path = plain_, .out_path = longest}), kExitOk) << err_.str();
+  EXPECT_EQ(FileBytes(longest), FileBytes(plain_));
+}
+
+TEST_F(LogCopy_, WritesWhereALinkLeadsAndReportsOneThatLeadsNowhere) {
+  namespace fs = std::filesystem;
+  const std::string link = directory_.File("link.lcm");
+  fs::create_symlink(copy_, link);
+  for (int i = 0; i < 2; ++i) {  // The copy is not there; then it is.
+    ASSERT_EQ(Copy({.path = plain_, .out_path = link}), kExitOk) << err_.str();
+    EXPECT_TRUE(fs::is_symlink(link));
+    EXPECT_EQ(FileBytes(copy_), FileBytes(plain_));
+  }
+  const std::string loop = directory_.File("loop.lcm");
+  fs::create_symlink(loop, loop);
+  EXPECT_EQ(Copy({.path = plain_, .out_path = loop}), kExitEnvironment);
+  EXPECT_NE(err_.str().find("cannot write " + loop), std::string::npos) << err_.str();
 }
 
 TEST_F(LogCopy_, GivesTheSameBytesBackFromACompressedLog) {
