@@ -63,8 +63,10 @@ Result<FileWindow> FileWindow::Open(const std::string& path) {
     return Error{"cannot read " + path + ": " + ErrnoText(errno)};
   }
   if (!S_ISREG(status.st_mode)) return Error{"cannot read " + path + ": not a regular file"};
-  auto size = static_cast<uint64_t>(status.st_size);
   auto source = std::make_shared<Source>();
+  // Before all else is read: of a file that grows meanwhile the stamp is that of no later one.
+  source->stamp = StampOf(file.get());
+  uint64_t size = source->stamp.size;
   std::array<uint8_t, 4> magic{};
   if (::pread(file.get(), magic.data(), magic.size(), 0) == 4 && FrameTable::IsCompressed(magic)) {
     Result<FrameTable> table = FrameTable::Read(file.get(), size);
@@ -74,7 +76,6 @@ Result<FileWindow> FileWindow::Open(const std::string& path) {
   } else if (size == 0 && path.ends_with(kCompressedSuffix)) {
     source->frames = FrameTable::OfEmptyFile();
   }
-  source->stamp = StampOf(file.get());
   source->file = std::move(file);
   return FileWindow(std::move(source), size, kBufferSize);
 }

@@ -5,6 +5,7 @@
 #include <zstd.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 
 #include "lib/base/codec/little_endian.h"
@@ -86,6 +87,19 @@ std::vector<KeptPart> PartsOf(const std::string& path, std::span<const uint8_t> 
   return parts;
 }
 
+/// Returns false for a file that does not begin as an index does: it is something else, and stays.
+bool IsIndexOrAbsent(const std::string& path) {
+  std::error_code error;
+  if (std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found) {
+    return true;
+  }
+  std::array<char, kIndexMagic.size()> begin{};
+  const Result<FileDescriptor> file = OpenRegularFile(path);
+  if (!file.ok()) return false;
+  const ssize_t length = ::pread(file->get(), begin.data(), begin.size(), 0);
+  return length >= 0 && kIndexMagic.starts_with({begin.data(), static_cast<size_t>(length)});
+}
+
 std::optional<std::vector<uint8_t>> Decompressed(const KeptPart& part) {
   if (ZSTD_getFrameContentSize(part.bytes.data(), part.bytes.size()) != part.length) return {};
   std::vector<uint8_t> bytes(static_cast<size_t>(part.length));
@@ -115,6 +129,7 @@ void KeepIndexPart(const LogReader& log, IndexPart part, std::string_view key,
                    std::span<const uint8_t> bytes, uint64_t least_bytes) {
   if (log.size() < least_bytes || key.size() > kMaxKey_bytes || log.HasChanged()) return;
   const std::string path = IndexPath(log.path());
+  if (!IsIndexOrAbsent(path)) return;
   const std::vector<uint8_t> head = HeadOf(log.Stamp());
   const auto is_other = [&](uint32_t number) { return number != static_cast<uint32_t>(part); };
   std::vector<KeptPart> parts = PartsOf(path, head, is_other);

@@ -46,7 +46,8 @@ inline constexpr uint64_t kMaxIndex_bytes = uint64_t{256} << 20;
     uint64_t least_bytes = kLeastIndexedLog_bytes);
 
 /// Keeps a part beside the log, with the other parts that fit it. Does nothing for a log that is
-/// smaller, that changed while it was read, or whose folder cannot be written.
+/// smaller, that changed while it was read, or whose folder cannot be written, and where a file of
+/// the index's name is no index.
 void KeepIndexPart(const LogReader& log, IndexPart part, std::string_view key,
                    std::span<const uint8_t> bytes, uint64_t least_bytes = kLeastIndexedLog_bytes);
 

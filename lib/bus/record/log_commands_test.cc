@@ -119,6 +119,33 @@ TEST_F(LogInfo_, IsKeptBesideTheLogAndShownAgain) {
   }
 }
 
+TEST_F(LogInfo_, NamesTheLogAsItWasNamedThisTime) {
+  const std::string path = Log("a.lcm", {{12'300'000, "OWN", {1}}, {12'400'000, "OWN", {1}}});
+  Bytes bytes = FileBytes(path);
+  bytes.resize(bytes.size() - 1);
+  WriteBytes(path, bytes);
+  const std::string moved = directory_.File("b.lcm");
+  (void)Info({.path = path, .least_indexed_bytes = 0});
+  EXPECT_NE(err_.str().find(path + ": byte "), std::string::npos) << err_.str();
+  std::filesystem::rename(path, moved);
+  std::filesystem::rename(path + ".idx", moved + ".idx");
+  (void)Info({.path = moved, .least_indexed_bytes = 0});
+  EXPECT_NE(err_.str().find(moved + ": byte "), std::string::npos) << err_.str();
+}
+
+TEST_F(LogInfo_, LeavesAFileThatIsNoIndex) {
+  const std::string path = Log("a.lcm", {{12'300'000, "OWN", {1}}});
+  for (const Bytes& bytes : {Bytes(100, 'x'), Bytes{'S', 'H', 'O', 'P'}}) {
+    WriteBytes(path + ".idx", bytes);
+    (void)Info({.path = path, .least_indexed_bytes = 0});
+    EXPECT_EQ(FileBytes(path + ".idx"), bytes);
+  }
+  // What a disk without room, or power, left of one.
+  WriteBytes(path + ".idx", {});
+  (void)Info({.path = path, .least_indexed_bytes = 0});
+  EXPECT_GT(FileBytes(path + ".idx").size(), 40U);
+}
+
 TEST_F(LogCat_, PrintsOneLinePerMessage) {
   const std::string path =
       Log("a.lcm", {{12'300'000, "DESIRED_ALPHA", Desired(12'300'000, 90)},

@@ -107,6 +107,7 @@ void PrintNotes(const std::map<std::string, const ChannelSummary*>& channels, st
 
 /// What is shown of a log.
 struct LogInfoFound {
+  std::string path;  ///< Of the log, as `damage` has it.
   std::map<std::string, ChannelSummary> channels;
   std::string damage;     ///< What ReportDamage writes.
   bool is_whole = false;  ///< Nothing of it is damaged.
@@ -130,6 +131,7 @@ LogInfoFound ReadInfo(LogReader* reader, const Schema& schema,
   }
   if (progress) progress(1);
   LogInfoFound found;
+  found.path = reader->path();
   for (auto& [name, channel] : summaries) {
     for (const StructType* type : channel.types) channel.type_names.insert(DisplayName(*type));
     found.channels.emplace(name, std::move(channel));
@@ -166,6 +168,7 @@ bool TakeNames(LittleEndianReader* reader, std::set<std::string>* names) {
 std::vector<uint8_t> InfoBytes(const LogInfoFound& found) {
   std::vector<uint8_t> bytes;
   AppendLittleEndian(static_cast<uint8_t>(found.is_whole), &bytes);
+  AppendSizedText(found.path, &bytes);
   AppendSizedText(found.damage, &bytes);
   AppendLittleEndian(static_cast<uint32_t>(found.channels.size()), &bytes);
   for (const auto& [name, channel] : found.channels) {
@@ -188,8 +191,8 @@ std::optional<LogInfoFound> InfoFrom(std::span<const uint8_t> bytes) {
   LogInfoFound found;
   uint8_t is_whole = 0;
   uint32_t count = 0;
-  if (!reader.Take(&is_whole) || is_whole > 1 || !TakeShown(&reader, &found.damage) ||
-      !reader.Take(&count) || count > kMaxInfoChannels) {
+  if (!reader.Take(&is_whole) || is_whole > 1 || !reader.TakeSizedText(&found.path) ||
+      !TakeShown(&reader, &found.damage) || !reader.Take(&count) || count > kMaxInfoChannels) {
     return std::nullopt;
   }
   found.is_whole = is_whole == 1;
@@ -222,7 +225,7 @@ std::string InfoKey(const Schema& schema) {
   for (const StructType& type : schema.types()) {
     names += fmt::format("{} {:x} ", DisplayName(type), type.fingerprint);
   }
-  return fmt::format("1 {:016x}",
+  return fmt::format("2 {:016x}",
                      DigestOf({reinterpret_cast<const uint8_t*>(names.data()), names.size()}));
 }
 
@@ -242,6 +245,7 @@ int LogInfo(const LogInfoOptions& options, std::ostream& out, std::ostream& err)
   if (const auto kept =
           ReadIndexPart(*reader, IndexPart::kInfo, key, options.least_indexed_bytes)) {
     found = InfoFrom(*kept);
+    if (found && !found->damage.empty() && found->path != reader->path()) found.reset();
   }
   if (!found) {
     found = ReadInfo(&*reader, *schema, options.progress);
