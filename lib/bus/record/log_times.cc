@@ -220,13 +220,20 @@ std::vector<std::string> TimeWarnings(const LogTimes& times, const std::string& 
     return num > 1 ? fmt::format(" ({} more {})", num - 1, what) : std::string();
   };
   if (const auto& stray = times.first_stray) {
+    // Of a clock that jumps, no one span is right.
+    const std::string remedy =
+        times.num_jumps > 0
+            ? ""
+            : fmt::format(
+                  "; `shoal log copy {} part.lcm --from {:.0f} --to {:.0f}` leaves out "
+                  "what lies outside",
+                  path, std::floor(Seconds(times.zero_utime)),
+                  std::ceil(Seconds(times.zero_utime + times.end_us)));
     lines.push_back(fmt::format(
         "{}: event {} (byte {}) has the time {:.6f} s, which does not fit the one before it, "
-        "{:.6f} s{}: it counts as of the time of its neighbours; `shoal log copy {} part.lcm "
-        "--from {:.0f} --to {:.0f}` leaves out what lies outside",
+        "{:.6f} s{}: it counts as of the time of its neighbours{}",
         path, stray->number, stray->offset, Seconds(stray->utime), Seconds(stray->before_utime),
-        more(times.num_strays, "events do not fit"), path, std::floor(Seconds(times.zero_utime)),
-        std::ceil(Seconds(times.zero_utime + times.end_us))));
+        more(times.num_strays, "events do not fit"), remedy));
   }
   if (const auto& jump = times.first_jump) {
     lines.push_back(fmt::format(

@@ -72,6 +72,18 @@ TEST_F(LogTimesTest, NamesAStrayEventAndLeavesItOutOfTheSpan) {
   EXPECT_NE(warnings[0].find("shoal log copy a.lcm part.lcm --from 0 --to 99"), std::string::npos);
 }
 
+TEST_F(LogTimesTest, NamesNoSpanToCopyOfAStrayEventWhereTheClockJumpsToo) {
+  std::vector<int64_t> seconds = Seconds(5000, 5049);
+  seconds.push_back(1'000'000'000);
+  Append(Seconds(0, 99), &seconds);
+  const LogTimes times = Times(Write(seconds));
+  EXPECT_EQ(times.num_jumps, 1);
+  const auto warnings = TimeWarnings(times, "a.lcm");
+  ASSERT_EQ(warnings.size(), 2U);
+  EXPECT_NE(warnings[0].find("event 50"), std::string::npos) << warnings[0];
+  EXPECT_EQ(warnings[0].find("--to"), std::string::npos) << warnings[0];
+}
+
 TEST_F(LogTimesTest, TakesTheExtremesOfANumberForStrays) {
   std::vector<TestEvent> events;
   for (int64_t i = 0; i < 40; ++i) events.push_back({i * kSecond_us, "A", {1}});
