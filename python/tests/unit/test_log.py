@@ -10,6 +10,7 @@ from typing import Any
 import pytest
 import shoal
 from conftest import ROOT, SCHEMA_TEST_TYPES, event, log_bytes
+from shoal import fate_columns as fate_columns_module
 from shoal.seal import Seal, append_seal
 
 pytestmark = pytest.mark.usefixtures("each_kind_of_column")
@@ -180,6 +181,21 @@ def test_fates_whose_columns_do_not_fit_one_another_are_an_error(
     log = log_bytes([(0, "COMMS_FATES", fate_columns(**changed).encode())])
     with pytest.raises(shoal.LogError):
         shoal.read(write(tmp_path, log)).fates()
+
+
+def test_fates_are_read_up_to_a_number_of_bytes_of_text(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    cases = [T.fate_case_t(cause="delivered", override_rule="critical_range")] * 2
+    columns = fate_columns(cases=cases, range_m=[], count=[], path=[])
+    path = write(tmp_path, log_bytes([(0, "COMMS_FATES", columns.encode())]))
+    texts = 2 * len("report" + "alpha" + "delivered" + "critical_range") + len("bravo" + "*")
+    monkeypatch.setattr(fate_columns_module, "_MAX_TEXT_OF_FATE", 1)
+    monkeypatch.setattr(fate_columns_module, "_MAX_TEXTS", texts - 2)
+    assert len(shoal.read(path).fates()) == 2
+    monkeypatch.setattr(fate_columns_module, "_MAX_TEXTS", texts - 3)
+    with pytest.raises(shoal.LogError):
+        shoal.read(path).fates()
 
 
 def test_rows_of_a_table_inside_belong_to_their_message(tmp_path: Path) -> None:
