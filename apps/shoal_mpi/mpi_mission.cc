@@ -18,6 +18,7 @@
 #include "lib/mission/file/drawn_seed.h"
 #include "lib/mission/file/print_errors.h"
 #include "lib/run/command_line/build_facts.h"
+#include "lib/run/run/log_plan.h"
 #include "lib/run/run/run_app.h"
 #include "lib/tools/campaign/digest.h"
 #include "sim/director_app.h"
@@ -207,6 +208,12 @@ std::optional<EarlyEnd> RankMission::Place() {
 }
 
 std::optional<EarlyEnd> RankMission::Open() {
+  if (is_first() && !options_.log_path.empty()) {
+    const LogPlan plan = PlanLog(loaded_.mission, options_.log_channels, options_.log_path);
+    for (const std::string& warning : plan.warnings) {
+      fmt::print(stderr, "shoal-mpi: {}\n", warning);
+    }
+  }
   part_.emplace(loaded_.mission, placement_, ranks_.rank(), options_.log_path,
                 options_.log_channels);
   const std::vector<std::string> faults = Share("opening the log", part_->Fault());

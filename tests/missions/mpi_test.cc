@@ -115,6 +115,12 @@ TEST_F(Mpi, WritesTheLogAndThePageOfOneProcessForAnyNumberOfRanks) {
 TEST_F(Mpi, WritesTheChosenChannels) {
   ExpectAsInOneProcess(Own(), {"--channels", "NAV_*", "--without", "NAV_BOAT_1"}, {2});
   EXPECT_EQ(ReadFile(folder_ / "one.lcm").find("NAV_BOAT_1"), std::string::npos);
+  const Finished mistyped =
+      Run(2, {Own(), "--log", (folder_ / "two.lcm").string(), "--channels", "NAVY_*"});
+  EXPECT_EQ(mistyped.exit_code, 0) << mistyped.output;
+  EXPECT_NE(mistyped.output.find("--channels 'NAVY_*' matches none of shoal's channels"),
+            std::string::npos)
+      << mistyped.output;
   const Finished without_log = Run(1, {Own(), "--channels", "NAV_*"});
   EXPECT_EQ(without_log.exit_code, 2) << without_log.output;
 }
