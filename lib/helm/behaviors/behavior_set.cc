@@ -8,8 +8,10 @@
 
 #include "lib/base/check/check.h"
 #include "lib/helm/behaviors/contact_recipe.h"
+#include "lib/helm/behaviors/reported_variables.h"
 #include "lib/helm/decision/decide.h"
 #include "lib/helm/decision/shapes.h"
+#include "lib/helm/modes/condition.h"
 #include "lib/helm/modes/value_text.h"
 
 namespace shoal {
@@ -120,31 +122,22 @@ struct BehaviorSet::Iteration {
 
 namespace {
 
-/// Where the vessel is, for conditions.
-struct OwnVariable {
-  std::string_view name;
-  double (*value)(const OwnMotion& own);
-};
-
-constexpr OwnVariable kOwnVariables[] = {
-    {"NAV_X", [](const OwnMotion& own) { return own.motion.position_m.x(); }},
-    {"NAV_Y", [](const OwnMotion& own) { return own.motion.position_m.y(); }},
-    {"NAV_HEADING", [](const OwnMotion& own) { return own.motion.heading_deg; }},
-    {"NAV_SPEED", [](const OwnMotion& own) { return own.motion.speed_mps; }},
-    {"NAV_DEPTH", [](const OwnMotion& own) { return own.depth_m; }},
-};
-
-/// Makes variables of those that conditions name.
+/// Adds the vessel's own variables that conditions name.
 void AddOwnVariables(const HelmSetup& setup, Variables* variables) {
   const auto add = [&](const std::vector<std::string>& conditions) {
     for (const std::string& text : conditions) {
+      const auto condition = Condition::Parse(text);
+      if (!condition.ok()) continue;
+      const std::vector<std::string> used = condition->VariablesUsed();
       for (const OwnVariable& own : kOwnVariables) {
-        if (text.find(own.name) != text.npos) variables->Set(own.name, 0.0, 0);
+        if (std::find(used.begin(), used.end(), own.name) != used.end()) {
+          variables->Set(own.name, 0.0, 0);
+        }
       }
     }
   };
   for (const ModeOptions& mode : setup.modes) add(mode.condition);
-  for (const BehaviorOptions& behavior : setup.behaviors) add(behavior.condition);
+  for (const BehaviorOptions& behavior : setup.behaviors) add(ConditionsOf(behavior));
 }
 
 }  // namespace

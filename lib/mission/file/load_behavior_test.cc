@@ -336,7 +336,7 @@ condition = "A = x"
 kind = "constant_speed"
 speed = 1
 runflag = "C = 1"
-condition = ["A = x", "B = ON", "!(C = 2)", "D = 1", "E = 1", "!(WPT_INDEX > 3)"]
+condition = ["A = x", "B = ON", "!(C = 2)", "D = 1", "E = 1", "!(WPT_INDEX > 3)", "NAV_X > 3"]
 [[event]]
 at_s = 3
 vehicle = "alpha"
@@ -347,6 +347,16 @@ at_s = 3
 message = {src_node = "alpha", dest_node = "all", var_name = "E", double_val = 1}
 )toml"),
             "");
+}
+
+TEST(BehaviorWarnings, NameVariablesThatOnlyBeginAsReportedOnes) {
+  for (const char* name : {"NAV_YAW", "NAV_SPEED_OVER_GROUND", "WPT_DIST_TO_NEXT"}) {
+    const std::string warnings =
+        WarningsAfter("[[vehicle.behavior]]\nkind = \"constant_speed\"\nspeed = 1\ncondition = \"" +
+                      std::string(name) + " > 1\"\n");
+    EXPECT_NE(warnings.find("nothing in the file sets " + std::string(name)), std::string::npos)
+        << warnings;
+  }
 }
 
 }  // namespace shoal::load_behavior_test

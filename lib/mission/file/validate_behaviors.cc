@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <set>
 #include <string>
 #include <string_view>
@@ -12,6 +11,7 @@
 #include "lib/base/text/blanks.h"
 #include "lib/helm/behaviors/behavior_runner.h"
 #include "lib/helm/behaviors/contact_recipe.h"
+#include "lib/helm/behaviors/reported_variables.h"
 #include "lib/helm/modes/flag.h"
 #include "lib/helm/modes/value_text.h"
 #include "lib/mission/file/validate.h"
@@ -37,13 +37,6 @@ bool GivesSpeed(const AnyBehavior& what) {
                  PeriodicSpeedOptions, PeriodicSurfaceOptions, FixedTurnOptions, ZigzagOptions,
                  FullStopOptions, RubberBandOptions>(what);
 }
-
-/// Beginnings of the names of variables that behaviors report, and those of the vessel itself.
-constexpr std::array<std::string_view, 23> kReports = {
-    "WPT_",    "CYCLE_",  "LOITER_",     "PSKEEP_",   "DIST_TO_",  "OPREG_",
-    "LEGRUN_", "PURSUIT", "REGION",      "TRAIL_",    "PERIODIC_", "PENDING_",
-    "TIME_AT", "ZIG",     "GO_TO_DEPTH", "FIXTURN",   "BHV_",      "CONTACT_",
-    "NAV_X",   "NAV_Y",   "NAV_HEADING", "NAV_SPEED", "NAV_DEPTH"};
 
 void CheckNames(const Vehicle& vehicle, const TablePlace& place) {
   const auto& behaviors = vehicle.behaviors;
@@ -161,9 +154,7 @@ class SetVariables {
   }
 
   bool Have(const std::string& name) const {
-    return names_.contains(name) ||
-           std::any_of(kReports.begin(), kReports.end(),
-                       [&](std::string_view begin) { return name.starts_with(begin); });
+    return names_.contains(name) || IsReportedVariable(name);
   }
 
  private:

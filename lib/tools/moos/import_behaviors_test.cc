@@ -381,6 +381,18 @@ TEST(ImportMoos, GivesABehaviorAnotherNameWhereAnothersBeginsWithIt) {
   EXPECT_NE(import.mission.find("another behavior's name begins with it"), std::string::npos);
 }
 
+TEST(ImportMoos, WarnsOfDistancesThatAWaypointDoesNotPost) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},
+      {.name = "ida.bhv",
+       .text = "Behavior = BHV_Waypoint\n{\nname = leg\nspeed = 1\npoints = 0,0\n"
+               "wpt_dist_to_prev = BEHIND\nwpt_dist_to_next = AHEAD\n}\n"}});
+  constexpr char kReason[] = ": not posted: WPT_STAT has dist=, to the next point";
+  EXPECT_EQ(import.warnings, (std::vector<std::string>{
+                                 "ida.bhv:6: wpt_dist_to_prev = BEHIND" + std::string(kReason),
+                                 "ida.bhv:7: wpt_dist_to_next = AHEAD" + std::string(kReason)}));
+}
+
 TEST(ImportMoos, LimitsThePatienceOfCutRangeAsMoosIvpDoes) {
   const MoosImport import = ImportMoos(std::vector<MoosSource>{
       {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},

@@ -140,12 +140,24 @@ Script ReadScript(const MoosBlock& block, TimerScript* result) {
       script.warp = *time;
       result->taken.push_back(line.number);
     } else if (key == "reset_time") {
+      if (!time && value != "all-posted" && value != "end" && value != "none") {
+        lose(line, "not SECONDS, all-posted or none");
+        continue;
+      }
       if (time) script.reset_s = (time->low_s + time->high_s) / 2;
       result->taken.push_back(line.number);
     } else if (key == "reset_max") {
       const auto number = NumberIn(value);
-      script.num_resets = number.value_or(1e9);
+      const bool is_endless = value == "nolimit" || value == "unlimited" || value == "any";
+      if (!is_endless && (!number || *number < 0)) {
+        lose(line, "not a number from 0 on or nolimit");
+        continue;
+      }
+      script.num_resets = number.value_or(kEndlessResets);
       script.reset_line = line.number;
+      result->taken.push_back(line.number);
+    } else if (key == "script_atomic" && value == "true") {
+      result->atomic_line = line.number;
       result->taken.push_back(line.number);
     } else if (key == "shuffle") {
       script.shuffles = value != "false";
@@ -315,17 +327,12 @@ TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
   TimerScript result;
   const Script script = ReadScript(block, &result);
   ScriptRun(script, vehicle, convert).Run(&result);
-  result.is_repeated = script.num_resets > 0;
+  result.num_resets = script.num_resets;
+  result.reset_line = script.reset_line;
   const bool any = std::any_of(result.events.begin(), result.events.end(),
                                [](const TimerEvent& event) { return !event.keys.empty(); });
-  if (!any && !script.is_paused) {
-    // What its conditions are is no matter: what is lost are its events.
-    std::erase_if(result.losses, [&](const auto& loss) {
-      if (loss.second != kTakenAsHeld) return false;
-      result.taken.push_back(loss.first);
-      return true;
-    });
-  }
+  // What is lost then are its events, whatever its conditions.
+  if (!any || script.is_paused) TakeConditions(&result);
   for (TimerEvent& event : result.events) {
     if (!script.is_paused || event.keys.empty()) continue;
     event.keys.clear();
@@ -333,6 +340,14 @@ TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
     event.is_needless = true;
   }
   return result;
+}
+
+void TakeConditions(TimerScript* script) {
+  std::erase_if(script->losses, [&](const auto& loss) {
+    if (loss.second != kTakenAsHeld) return false;
+    script->taken.push_back(loss.first);
+    return true;
+  });
 }
 
 bool MoosBridges::Add(const MoosLine& line) {

@@ -37,15 +37,23 @@ struct TimerEvent {
   bool is_needless = false;  ///< Nothing is lost without it: `reason` is no warning.
 };
 
+/// TimerScript::num_resets of `reset_max = nolimit`.
+inline constexpr double kEndlessResets = 1e9;
+
 struct TimerScript {
   std::vector<TimerEvent> events;
   /// Lines that change what the script does and are not taken: their numbers, and how.
   std::vector<std::pair<int, std::string>> losses;
   std::vector<std::string> conditions = {};  ///< All of which hold while its clock runs.
-  bool is_repeated = false;
+  double num_resets = 0;                     ///< How often it is repeated.
+  int reset_line = 0;                        ///< Of reset_max; 0: not given.
+  int atomic_line = 0;                       ///< Of script_atomic = true; 0: not given.
   /// Numbers of lines that count and are no events: random variables, delays, rounds.
   std::vector<int> taken = {};
 };
+
+/// Moves the lines of its conditions from what is lost to what is taken.
+void TakeConditions(TimerScript* script);
 
 /// Returns true where behaviors of `vehicle` go by a variable.
 using HasMoosVariable = std::function<bool(std::string_view vehicle, std::string_view variable)>;

@@ -300,7 +300,7 @@ TEST(ImportMoos, LetsAScriptWaitForWhatBehaviorsKnow) {
   EXPECT_TRUE(loaded.mission.events.empty());
 }
 
-TEST(ImportMoos, LetsARepeatedScriptBeginAnewAfterItsConditionsHaveFailed) {
+TEST(ImportMoos, LetsARepeatedScriptBeginAgainAfterItsConditionsHaveFailed) {
   const MoosImport import = WithScript(
       "condition = TIME_AT_SURFACE > 3\nreset_max = nolimit\nreset_time = end\n"
       "event = var=GPS_UPDATE_RECEIVED, val=1, time=2",
@@ -311,6 +311,62 @@ TEST(ImportMoos, LetsARepeatedScriptBeginAnewAfterItsConditionsHaveFailed) {
   const auto& behaviors = loaded.mission.vehicles.front().behaviors;
   ASSERT_EQ(behaviors.size(), 3U) << import.mission;
   EXPECT_TRUE(behaviors[2].perpetual);
+}
+
+TEST(ImportMoos, WarnsOfRoundsOfAScriptWithConditionsThatTimersCannotCount) {
+  const MoosImport import = WithScript(
+      "condition = READY = true\nreset_max = 3\nscript_atomic = true\ndelay_start = -5\n"
+      "event = var=GO, val=true, time=10");
+  EXPECT_EQ(import.warnings,
+            (std::vector<std::string>{
+                "ida.moos:9: reset_max = 3: repeated each time that its conditions have failed, "
+                "without end",
+                "ida.moos:10: script_atomic = true: its clock stands while its conditions do not "
+                "hold",
+                "ida.moos:11: delay_start = -5: not SECONDS or LOW:HIGH"}));
+}
+
+TEST(ImportMoos, LetsARepeatedScriptThatSwitchesAVariableBeEvents) {
+  const auto num_behaviors = [](const std::string& more) {
+    const MoosImport import = WithScript(
+        "condition = READY = true\nevent = var=GO, val=true, time=10\n"
+        "event = var=GO, val=false, time=20\n" +
+        more);
+    EXPECT_EQ(import.warnings.empty(), more.empty());
+    return LoadMissionText(import.mission, "m.toml").mission.vehicles.front().behaviors.size();
+  };
+  EXPECT_EQ(num_behaviors(""), 3U);
+  EXPECT_EQ(num_behaviors("reset_max = nolimit\nreset_time = 100"), 1U);
+}
+
+TEST(ImportMoos, MakesNoMoreThanAHundredTimersOfAScript) {
+  const auto num_behaviors = [](int amount) {
+    const MoosImport import =
+        WithScript("condition = READY = true\nevent = var=GO, val=true, time=1, amt=" +
+                   std::to_string(amount));
+    EXPECT_EQ(import.warnings.empty(), amount <= 100);
+    return LoadMissionText(import.mission, "m.toml").mission.vehicles.front().behaviors.size();
+  };
+  EXPECT_EQ(num_behaviors(100), 101U);
+  EXPECT_EQ(num_behaviors(101), 1U);
+}
+
+TEST(TimerScript, NamesRoundsThatAreNoNumber) {
+  for (const char* line : {"reset_max = -1", "reset_max = many", "reset_time = -4"}) {
+    const TimerScript script = Read(std::string(line) + "\nevent = var=DEPLOY_ALL, val=true");
+    ASSERT_EQ(script.losses.size(), 1U) << line;
+    EXPECT_TRUE(script.losses[0].second.starts_with("not ")) << script.losses[0].second;
+    ASSERT_EQ(script.events.size(), 1U) << line;
+    EXPECT_FALSE(script.events[0].keys.empty());
+  }
+}
+
+TEST(ImportMoos, TakesAVariableThatOnlyBeginsAsTheVesselsForUnknown) {
+  const MoosImport import =
+      WithScript("condition = NAV_YAW > 1\nevent = var=GO, val=true, time=10");
+  EXPECT_EQ(import.warnings,
+            std::vector<std::string>{
+                "ida.moos:8: condition = NAV_YAW > 1: taken as if it held from the start"});
 }
 
 TEST(ImportMoos, TakesAConditionThatBehaviorsDoNotKnowAsIfItHeldAndWarns) {

@@ -61,6 +61,22 @@ std::string ReadStartPos(std::string_view text, std::map<std::string, double>* g
   return problem;
 }
 
+/// Writes the settings of a behavior that no line of a .bhv file gives.
+struct TimerSettings {
+  std::string_view text;  ///< What it is made of.
+  BhvTable* table;
+
+  void operator()(std::string key, std::string value, std::string origin = "",
+                  std::string reason = "") const {
+    table->lines.push_back({.key = std::move(key),
+                            .value = std::move(value),
+                            .origin = std::move(origin),
+                            .text = std::string(text),
+                            .reason = std::move(reason),
+                            .is_essential = true});
+  }
+};
+
 }  // namespace
 
 bool IsLinkFactor(std::string_view moos_key) {
@@ -127,43 +143,29 @@ void VehicleImport::SetWithDeploy(const std::vector<std::pair<std::string, std::
     SetFirstValue(name, value, origins);
   }
   BhvTable table{.header = "[[vehicle.behavior]]", .lines = {}};
-  const auto set = [&](std::string key, std::string value, std::string origin, std::string reason) {
-    table.lines.push_back({.key = std::move(key),
-                           .value = std::move(value),
-                           .origin = std::move(origin),
-                           .text = "what the button sets with DEPLOY",
-                           .reason = std::move(reason),
-                           .is_essential = true});
-  };
+  const TimerSettings set{"what the button sets with DEPLOY", &table};
   set("kind", TomlString("timer"), origins, "What the button sets besides DEPLOY.");
-  set("name", TomlString("deploy_button"), "", "");
-  set("perpetual", "true", "", "");
-  if (behaviors_.variables.contains("DEPLOY")) set("condition", "[\"DEPLOY = true\"]", "", "");
-  set("runflag", "[" + flags + "]", "", "");
+  set("name", TomlString("deploy_button"));
+  set("perpetual", "true");
+  if (behaviors_.variables.contains("DEPLOY")) set("condition", "[\"DEPLOY = true\"]");
+  set("runflag", "[" + flags + "]");
   behaviors_.tables.push_back(std::move(table));
 }
 
 void VehicleImport::AddTimer(const ScriptTimer& timer) {
   BhvTable table{.header = "[[vehicle.behavior]]", .lines = {}};
-  const auto set = [&](std::string key, std::string value, std::string origin, std::string reason) {
-    table.lines.push_back({.key = std::move(key),
-                           .value = std::move(value),
-                           .origin = std::move(origin),
-                           .text = "event of uTimerScript",
-                           .reason = std::move(reason),
-                           .is_essential = true});
-  };
+  const TimerSettings set{"event of uTimerScript", &table};
   std::string conditions;
   for (const std::string& condition : timer.conditions) {
     conditions += (conditions.empty() ? "" : ", ") + TomlString(condition);
   }
   set("kind", TomlString("timer"), timer.origin, timer.remark);
-  set("name", TomlString(fmt::format("script_{:03}", ++num_timers_)), "", "");
-  set("condition", "[" + conditions + "]", "", "");
-  set("duration", TomlNumber(timer.duration_s), "", "");
-  set("duration_idle_decay", "false", "", "");
-  if (timer.is_repeated) set("perpetual", "true", "", "");
-  set("endflag", "[" + timer.flag + "]", "", "");
+  set("name", TomlString(fmt::format("script_{:03}", ++num_timers_)));
+  set("condition", "[" + conditions + "]");
+  set("duration", TomlNumber(timer.duration_s));
+  set("duration_idle_decay", "false");
+  if (timer.is_repeated) set("perpetual", "true");
+  set("endflag", "[" + timer.flag + "]");
   behaviors_.tables.push_back(std::move(table));
 }
 

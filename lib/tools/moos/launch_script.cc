@@ -343,7 +343,7 @@ class LaunchReader {
 
   std::string ValueOf(std::string_view text, int line) {
     if (text.starts_with("$(("))
-      return Sum(text.substr(3, text.size() - std::min<size_t>(5, text.size())));
+      return Sum(text.substr(3, text.size() - std::min<size_t>(5, text.size())), line);
     if (text.starts_with("$(")) return Output(text.substr(2, text.size() - 3), line);
     if (text.starts_with('`')) return Output(text.substr(1, text.size() - 2), line);
     if (!text.starts_with("${")) {
@@ -357,6 +357,7 @@ class LaunchReader {
         return index < script_.arguments.size() ? script_.arguments[index] : "";
       }
       const ShellWords& values = Values(name);
+      if (values.empty()) NoteRandom(name, line);
       return values.empty() ? "" : values.front();
     }
     std::string_view inner = text.substr(2, text.size() - std::min<size_t>(3, text.size()));
@@ -378,7 +379,7 @@ class LaunchReader {
         if (is_length) return std::to_string(values.size());
         value = Join(values);
       } else {
-        const auto number = NumberIn(Sum(index));
+        const auto number = NumberIn(Sum(index, line));
         const bool is_inside =
             number && *number >= 0 && *number < static_cast<double>(values.size());
         value = is_inside ? values[static_cast<size_t>(*number)] : "";
@@ -389,7 +390,7 @@ class LaunchReader {
     if (rest.starts_with(":-") || rest.starts_with(":=")) {
       return value.empty() ? Join(Expand(rest.substr(2), line)) : value;
     }
-    if (rest.starts_with(':')) return Slice(value, rest.substr(1));
+    if (rest.starts_with(':')) return Slice(value, rest.substr(1), line);
     // A pattern is compared with every part of the value: long values count as many commands.
     constexpr size_t kStepsOfACommand = 100'000;
     const auto steps = static_cast<int>(value.size() * value.size() / kStepsOfACommand);
@@ -402,23 +403,83 @@ class LaunchReader {
     return value;
   }
 
-  std::string Slice(const std::string& value, std::string_view text) {
+  std::string Slice(const std::string& value, std::string_view text, int line) {
     const size_t colon = text.find(':');
-    const double from = NumberIn(Sum(text.substr(0, colon))).value_or(0);
+    const double from = NumberIn(Sum(text.substr(0, colon), line)).value_or(0);
     const double count =
-        colon == text.npos ? 1e6 : NumberIn(Sum(text.substr(colon + 1))).value_or(1e6);
+        colon == text.npos ? 1e6 : NumberIn(Sum(text.substr(colon + 1), line)).value_or(1e6);
     if (from < 0 || count < 0 || from >= static_cast<double>(value.size())) return "";
     return value.substr(static_cast<size_t>(from), static_cast<size_t>(std::min(count, 1e6)));
   }
 
   /// Computes a sum of whole numbers and variables.
-  std::string Sum(std::string_view text) {
-    const std::string plain = Quoted(text, 0);
-    return fmt::format("{}", ShellSum(plain, [&](std::string_view name) {
-                         const ShellWords& values = Values(name);
-                         return values.empty() ? std::string_view()
-                                               : std::string_view(values.front());
-                       }));
+  std::string Sum(std::string_view text, int line) {
+    const std::string plain = Quoted(text, line);
+    bool is_exact = true;
+    const long long sum = ShellSum(
+        plain,
+        [&](std::string_view name) {
+          const ShellWords& values = Values(name);
+          if (values.empty()) NoteRandom(name, line);
+          return values.empty() ? std::string_view() : std::string_view(values.front());
+        },
+        &is_exact);
+    if (!is_exact) {
+      Note(line,
+           fmt::format("{} divides by 0 or leaves +-1e9: taken as {}", shoal::Quoted(plain), sum));
+    }
+    return fmt::format("{}", sum);
+  }
+
+  /// Notes that a variable which bash draws has no value here.
+  void NoteRandom(std::string_view name, int line) {
+    if (name == "RANDOM" || name == "SRANDOM") Note(line, fmt::format("{} is random", name));
+  }
+
+  /// Returns what `expr 1 + 2` prints; its comparisons and functions of texts are not known.
+  std::string Expr(const ShellWords& words, int line) {
+    const auto is_number = [](std::string_view word) {
+      if (word.starts_with('-')) word.remove_prefix(1);
+      return !word.empty() && std::all_of(word.begin(), word.end(), IsDigit);
+    };
+    bool needs_number = true;
+    bool is_sum = true;
+    for (size_t i = 1; i < words.size(); ++i) {
+      const std::string& word = words[i];
+      const bool is_sign = word == "+" || word == "-" || word == "*" || word == "/" || word == "%";
+      if (word == "(" || word == ")") {
+        is_sum = is_sum && needs_number == (word == "(");
+      } else {
+        is_sum = is_sum && (needs_number ? is_number(word) : is_sign);
+        needs_number = !needs_number;
+      }
+    }
+    const std::string text = Join({words.begin() + 1, words.end()});
+    if (is_sum && !needs_number) return Sum(text, line);
+    Note(line, fmt::format("the output of {} is not known", shoal::Quoted("expr " + text)));
+    return "";
+  }
+
+  /// Returns the path without slashes at its end; "/" stays.
+  static std::string_view WithoutSlashes(std::string_view path) {
+    while (path.size() > 1 && path.ends_with('/')) path.remove_suffix(1);
+    return path;
+  }
+
+  static std::string FolderOf(std::string_view path) {
+    path = WithoutSlashes(path);
+    const size_t slash = path.rfind('/');
+    if (slash == path.npos) return ".";
+    return std::string(WithoutSlashes(path.substr(0, std::max<size_t>(slash, 1))));
+  }
+
+  static std::string BaseName(const ShellWords& words) {
+    const std::string_view path = WithoutSlashes(words[1]);
+    std::string name = path == "/" ? "/" : FileName(path);
+    if (words.size() > 2 && name.size() > words[2].size() && name.ends_with(words[2])) {
+      name.resize(name.size() - words[2].size());
+    }
+    return name;
   }
 
   /// Returns what a command prints.
@@ -439,13 +500,11 @@ class LaunchReader {
       }
       return list;
     }
-    if (name == "basename" && words.size() > 1) return FileName(words[1]);
+    const bool has_path = words.size() > 1 && !words[1].starts_with('-');
+    if (name == "basename" && has_path) return BaseName(words);
+    if (name == "dirname" && has_path) return FolderOf(words[1]);
     if (name == "echo") return Join({words.begin() + 1, words.end()});
-    if (name == "expr") return Sum(Join({words.begin() + 1, words.end()}));
-    if (name == "dirname" && words.size() > 1) {
-      const size_t slash = words[1].rfind('/');
-      return slash == std::string::npos ? "." : words[1].substr(0, slash);
-    }
+    if (name == "expr") return Expr(words, line);
     if (name == "pickpos") return Picked(words, line);
     if (name == "cat" && words.size() > 1) {
       const auto made = made_files_.find(words[1]);
@@ -596,7 +655,7 @@ class LaunchReader {
     if (rest.starts_with('[')) {
       const size_t close = rest.find(']');
       if (close == rest.npos) return false;
-      const double number = NumberIn(Sum(rest.substr(1, close - 1))).value_or(-1);
+      const double number = NumberIn(Sum(rest.substr(1, close - 1), line)).value_or(-1);
       if (number < 0 || number > 1'000) return false;
       index = static_cast<size_t>(number);
       rest.remove_prefix(close + 1);
@@ -749,10 +808,17 @@ class LaunchReader {
   /// Lines NAME=VALUE of a file; what the command line gives, wins.
   void AddMacros(const std::string& name, int line, LaunchFile* file) {
     constexpr size_t kMostMacros = 1'000;
-    const auto found = Find(name);
-    if (!found) return Note(line, fmt::format("{} is not there", shoal::Quoted(name)));
-    std::string_view rest = found->text;
-    while (!rest.empty() && file->defines.size() < kMostMacros) {
+    const auto made = made_files_.find(name);
+    const auto found = made == made_files_.end() ? Find(name) : std::nullopt;
+    if (made == made_files_.end() && !found) {
+      return Note(line, fmt::format("{} is not there", shoal::Quoted(name)));
+    }
+    std::string_view rest = found ? std::string_view(found->text) : made->second;
+    while (!rest.empty()) {
+      if (file->defines.size() >= kMostMacros) {
+        return Note(line,
+                    fmt::format("{} has more than {} macros", shoal::Quoted(name), kMostMacros));
+      }
       const size_t end = std::min(rest.find('\n'), rest.size());
       const std::string_view text = Trimmed(rest.substr(0, end));
       rest.remove_prefix(std::min(end + 1, rest.size()));

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace shoal::launch_script_test {
@@ -114,6 +115,60 @@ TEST(LaunchScript, ComputesWithExprAndKnowsTheFolderOfAPath) {
   EXPECT_EQ(Plan("I=3\nPORT=`expr $I + 9000`\nTWO=$(expr $I \\* 2)\nD=$(dirname a/b/c.sh)\n"
                  "nsplug a.moos b.moos PORT=$PORT TWO=$TWO D=$D\n"),
             "a.moos > b.moos D=a/b PORT=9003 TWO=6\n");
+}
+
+TEST(LaunchScript, NamesTheOutputOfExprThatIsNoSum) {
+  const auto value = [](const std::string& expression) {
+    return Plan("A=$(expr " + expression + ")\nnsplug a.moos b.moos A=$A\n");
+  };
+  EXPECT_EQ(value("\\( 1 + -3 \\) \\* 4"), "a.moos > b.moos A=-8\n");
+  for (const char* text : {"length abc", "1+2", "1.5 + 1", "+ 9", "3 +", "abc : a"}) {
+    EXPECT_EQ(value(text), "a.moos > b.moos A=\nlaunch.sh:1: the output of 'expr " +
+                               std::string(text) + "' is not known\n");
+  }
+}
+
+TEST(LaunchScript, NamesASumThatDividesByZeroOrIsTooLarge) {
+  const auto note = [](const std::string& sum) {
+    const std::string plan = Plan("A=" + sum + "\nnsplug a.moos b.moos A=$A\n");
+    const size_t at = plan.find("launch.sh");
+    return at == plan.npos ? "" : plan.substr(at);
+  };
+  EXPECT_EQ(note("$((7 / 2))"), "");
+  EXPECT_EQ(note("$((1000000000 + 0))"), "");
+  EXPECT_EQ(note("$((5 / 0))"), "launch.sh:1: '5 / 0' divides by 0 or leaves +-1e9: taken as 0\n");
+  EXPECT_EQ(note("`expr 5 % 0`"),
+            "launch.sh:1: '5 % 0' divides by 0 or leaves +-1e9: taken as 0\n");
+  EXPECT_EQ(note("$((1000000001 - 1))"),
+            "launch.sh:1: '1000000001 - 1' divides by 0 or leaves +-1e9: taken as 999999999\n");
+  EXPECT_EQ(note("$((RANDOM % 5))"), "launch.sh:1: RANDOM is random\n");
+  EXPECT_EQ(note("$RANDOM"), "launch.sh:1: RANDOM is random\n");
+}
+
+TEST(LaunchScript, TakesPathsApartAsDirnameAndBasenameDo) {
+  const auto value = [](const std::string& command) {
+    return Plan("A=$(" + command + ")\nnsplug a.moos b.moos A=$A\n");
+  };
+  for (const auto& [path, folder, name] : {std::tuple("a/b", "a", "b"),
+                                           {"/", "/", "/"},
+                                           {"a/", ".", "a"},
+                                           {"/a", "/", "a"},
+                                           {"a//b//", "a", "b"},
+                                           {"a", ".", "a"},
+                                           {".", ".", "."}}) {
+    EXPECT_EQ(value("dirname " + std::string(path)),
+              "a.moos > b.moos A=" + std::string(folder) + "\n");
+    EXPECT_EQ(value("basename " + std::string(path)),
+              "a.moos > b.moos A=" + std::string(name) + "\n");
+  }
+  EXPECT_EQ(value("basename x/ida.moos .moos"), "a.moos > b.moos A=ida\n");
+  EXPECT_EQ(value("dirname -z a/b"),
+            "a.moos > b.moos A=\nlaunch.sh:1: the output of 'dirname' is not known\n");
+}
+
+TEST(LaunchScript, TakesMacrosOfAFileThatItWrites) {
+  EXPECT_EQ(Plan("echo SPD=1 > own.opf\nnsplug a.bhv b.bhv --macros=own.opf\n"),
+            "a.bhv > b.bhv SPD=1\n");
 }
 
 TEST(LaunchScript, TakesMacrosOfAFileThatTheCommandLineDoesNotGive) {

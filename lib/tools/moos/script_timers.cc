@@ -1,11 +1,11 @@
 #include "lib/tools/moos/script_timers.h"
 
-#include <algorithm>
-#include <iterator>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "lib/helm/behaviors/reported_variables.h"
 #include "lib/helm/modes/condition.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/tools/moos/bhv_text.h"
@@ -15,15 +15,6 @@ namespace {
 
 bool IsOrder(std::string_view name) {
   return name == "DEPLOY" || name == "RETURN" || name == "STATION_KEEP";
-}
-
-/// Returns true for a variable that behaviors report by themselves.
-bool IsReported(std::string_view name) {
-  constexpr std::string_view kBegins[] = {"WPT_",      "CYCLE_",      "LOITER_",   "DIST_TO_",
-                                          "PERIODIC_", "PENDING_",    "TIME_AT",   "NAV_X",
-                                          "NAV_Y",     "NAV_HEADING", "NAV_SPEED", "NAV_DEPTH"};
-  return std::any_of(std::begin(kBegins), std::end(kBegins),
-                     [&](std::string_view begin) { return name.starts_with(begin); });
 }
 
 /// Returns the argument of `command = "set"` as it stands in TOML; empty: another event.
@@ -46,27 +37,37 @@ std::vector<std::string> UsableConditions(const TimerScript& script, const Vehic
     const auto parsed = Condition::Parse(texts.back());
     if (!parsed.ok()) return {};
     for (const std::string& name : parsed->VariablesUsed()) {
-      if (!vehicle.behaviors().variables.contains(name) && !IsReported(name)) return {};
+      if (!vehicle.behaviors().variables.contains(name) && !IsReportedVariable(name)) return {};
       waits_for_orders_only = waits_for_orders_only && IsOrder(name);
     }
   }
-  if (script.is_repeated && waits_for_orders_only) return {};
+  if (script.num_resets > 0 && waits_for_orders_only) return {};
   return texts;
+}
+
+/// Returns true where timers do what the script's events do: these only set variables, there are
+/// not too many, and a script that is repeated gives each variable one value.
+bool AreTimers(const TimerScript& script) {
+  constexpr int kMostTimers = 100;
+  int num_timers = 0;
+  std::map<std::string_view, std::string_view> values;
+  for (const TimerEvent& event : script.events) {
+    if (event.keys.empty()) continue;
+    const std::string_view setting = SettingOfEvent(event);
+    if (setting.empty()) return false;
+    if (event.round == 0 && ++num_timers > kMostTimers) return false;
+    const std::string_view variable = setting.substr(0, setting.find('='));
+    const auto [place, is_new] = values.emplace(variable, setting);
+    if (!is_new && script.num_resets > 0 && place->second != setting) return false;
+  }
+  return num_timers > 0;
 }
 
 }  // namespace
 
 void MakeScriptTimers(TimerScript* script, VehicleImport* vehicle) {
   const std::vector<std::string> conditions = UsableConditions(*script, *vehicle);
-  const auto is_other = [](const TimerEvent& event) {
-    return !event.keys.empty() && SettingOfEvent(event).empty();
-  };
-  const auto sets = [](const TimerEvent& event) { return !SettingOfEvent(event).empty(); };
-  const auto& events = script->events;
-  if (conditions.empty() || std::any_of(events.begin(), events.end(), is_other) ||
-      std::none_of(events.begin(), events.end(), sets)) {
-    return;
-  }
+  if (conditions.empty() || !AreTimers(*script)) return;
   for (TimerEvent& event : script->events) {
     const std::string setting(SettingOfEvent(event));
     if (setting.empty()) continue;
@@ -74,7 +75,7 @@ void MakeScriptTimers(TimerScript* script, VehicleImport* vehicle) {
       vehicle->AddTimer({.conditions = conditions,
                          .duration_s = event.at_s,
                          .flag = setting,
-                         .is_repeated = script->is_repeated,
+                         .is_repeated = script->num_resets > 0,
                          .origin = event.origin,
                          .remark = event.assumed.empty() ? "" : "Assumed: " + event.assumed + "."});
     }
@@ -82,8 +83,16 @@ void MakeScriptTimers(TimerScript* script, VehicleImport* vehicle) {
     event.reason = "[[vehicle.behavior]]";
     event.is_needless = true;
   }
-  for (const auto& [line, loss] : script->losses) script->taken.push_back(line);
-  script->losses.clear();
+  TakeConditions(script);
+  std::erase_if(script->losses, [&](const auto& loss) { return loss.first == script->reset_line; });
+  if (script->num_resets > 0 && script->num_resets < kEndlessResets) {
+    script->losses.emplace_back(script->reset_line,
+                                "repeated each time that its conditions have failed, without end");
+  }
+  if (script->atomic_line > 0) {
+    script->losses.emplace_back(script->atomic_line,
+                                "its clock stands while its conditions do not hold");
+  }
 }
 
 }  // namespace shoal

@@ -13,8 +13,9 @@
 namespace shoal {
 
 /// Makes behaviors of the events of a vehicle's own script where behaviors know the variables of
-/// its conditions and all of its events set variables. A script that is repeated begins anew after
-/// its conditions have failed; one that waits for an order alone stays a list of events.
+/// its conditions and all of its events set variables. A script that is repeated begins again after
+/// its conditions have failed; it stays a list of events where it waits for an order alone, or
+/// gives a variable one value after the other.
 void MakeScriptTimers(TimerScript* script, VehicleImport* vehicle);
 
 }  // namespace shoal

@@ -35,7 +35,10 @@ class Sum {
       const char sign = text_[at_++];
       const long long next = OneAt(depth);
       if (sign == '*') product = Bounded(product * next);
-      if (sign != '*' && next == 0) return 0;
+      if (sign != '*' && next == 0) {
+        is_exact_ = false;
+        return 0;
+      }
       if (sign == '/') product /= next;
       if (sign == '%') product %= next;
     }
@@ -44,8 +47,15 @@ class Sum {
   void Skip() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t')) ++at_;
   }
-  static long long Bounded(long long value) {
-    return std::clamp(value, -1'000'000'000LL, 1'000'000'000LL);
+  long long Bounded(long long value) {
+    const long long bounded = std::clamp(value, -kMost, kMost);
+    is_exact_ = is_exact_ && bounded == value;
+    return bounded;
+  }
+  /// A number as it is written.
+  long long Whole(double value) {
+    constexpr double kMostWritten = 2.0 * kMost;
+    return Bounded(static_cast<long long>(std::clamp(value, -kMostWritten, kMostWritten)));
   }
 
   long long OneAt(int depth) {
@@ -64,23 +74,28 @@ class Sum {
     while (at_ < text_.size() && IsNameCharacter(text_[at_])) ++at_;
     if (at_ == begin) return ++at_, 0;
     const std::string_view word = text_.substr(begin, at_ - begin);
-    if (const auto number = NumberIn(word)) {
-      return Bounded(static_cast<long long>(std::clamp(*number, -1e9, 1e9)));
-    }
-    return Bounded(
-        static_cast<long long>(std::clamp(NumberIn(value_of_(word)).value_or(0), -1e9, 1e9)));
+    if (const auto number = NumberIn(word)) return Whole(*number);
+    return Whole(NumberIn(value_of_(word)).value_or(0));
   }
 
+  [[nodiscard]] bool is_exact() const { return is_exact_; }
+
  private:
+  static constexpr long long kMost = 1'000'000'000;
+
   std::string_view text_;
   const ShellValue& value_of_;
   size_t at_ = 0;
+  bool is_exact_ = true;
 };
 
 }  // namespace
 
-long long ShellSum(std::string_view text, const ShellValue& value_of) {
-  return Sum(text, value_of).AddAt(0);
+long long ShellSum(std::string_view text, const ShellValue& value_of, bool* is_exact) {
+  Sum sum(text, value_of);
+  const long long value = sum.AddAt(0);
+  if (is_exact != nullptr) *is_exact = sum.is_exact();
+  return value;
 }
 
 }  // namespace shoal
