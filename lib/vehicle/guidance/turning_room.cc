@@ -20,12 +20,13 @@ constexpr double kTurnRadius_m = 18;
 constexpr double kSteerage_mps = 1.5;  ///< Slower, fins turn it on a wider circle.
 constexpr double kSlow_mps = 0.8;      ///< Slower than this, they hardly do.
 
-constexpr double kTouch_m = 3;  ///< Less room than this is none.
+constexpr double kTouch_m = 3;  ///< With less room than this it does not turn.
 constexpr double kRoom_m = 8;   ///< As much room as this it keeps, to go back.
 constexpr double kFar_m = 40;   ///< Echoes from here on do not matter.
 constexpr double kWideTurn_rad = DegToRad(60);
 constexpr double kAhead_rad = DegToRad(90);  ///< While it goes back: the course is this far ahead.
 constexpr double kArcStep_rad = DegToRad(15);
+constexpr double kStraightStep_m = 2;
 
 using Points = std::vector<Eigen::Vector2d>;
 
@@ -41,26 +42,31 @@ Points Obstacles(const Surroundings& surroundings) {
   return points_m;
 }
 
-/// Returns how near the turn by `turn_rad` leads past the obstacles.
+/// Returns how near the turn by `turn_rad` leads past the obstacles, with its way straight on.
 double RoomFor(const Points& obstacles_m, const Eigen::Vector2d& current_mps, double psi_rad,
                double turn_rad) {
   const double side = turn_rad < 0 ? -1 : 1;
   const auto [sine_0, cosine_0] = SinCos(psi_rad);
+  const Eigen::Vector2d bow(cosine_0, sine_0);
+  double square_m2 = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Eigen::Vector2d& at_m, double way_m) {
+    const Eigen::Vector2d carried_m = at_m + way_m / kSteerage_mps * current_mps;
+    for (const Eigen::Vector2d& each_m : obstacles_m) {
+      square_m2 = std::min(square_m2, (each_m - carried_m).squaredNorm());
+    }
+  };
+  for (double way_m = kStraightStep_m; way_m < kStraightOn_m; way_m += kStraightStep_m) {
+    look(way_m * bow, way_m);
+  }
   const int num_steps = static_cast<int>(std::ceil(std::abs(turn_rad) / kArcStep_rad));
-  double room_m = std::numeric_limits<double>::infinity();
   for (int i = 0; i <= num_steps; ++i) {
     const double turned_rad = std::min(i * kArcStep_rad, std::abs(turn_rad));
     const auto [sine, cosine] = SinCos(psi_rad + side * turned_rad);
-    const double run_s = (kStraightOn_m + kTurnRadius_m * turned_rad) / kSteerage_mps;
-    const Eigen::Vector2d at_m =
-        kStraightOn_m * Eigen::Vector2d(cosine_0, sine_0) +
-        side * kTurnRadius_m * Eigen::Vector2d(sine - sine_0, cosine_0 - cosine) +
-        run_s * current_mps;
-    for (const Eigen::Vector2d& each_m : obstacles_m) {
-      room_m = std::min(room_m, (each_m - at_m).norm());
-    }
+    look(kStraightOn_m * bow +
+             side * kTurnRadius_m * Eigen::Vector2d(sine - sine_0, cosine_0 - cosine),
+         kStraightOn_m + kTurnRadius_m * turned_rad);
   }
-  return room_m;
+  return std::sqrt(square_m2);
 }
 
 }  // namespace

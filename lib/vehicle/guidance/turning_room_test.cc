@@ -64,6 +64,19 @@ TEST(TurningRoom, GivesOnlyTheSpeedAlongTheBowWhereATurnWouldLeadIntoAWall) {
   EXPECT_NEAR(far.Limit(Wanted(200, 2)).speed_mps, 2, 1e-9);
 }
 
+TEST(TurningRoom, HasNoRoomBehindAWallThatIsCloserThanItsWayStraightOn) {
+  for (double ahead_m = 0.5; ahead_m < 10; ahead_m += 0.5) {
+    Eastbound vehicle{.echoes = WallToTheEast(ahead_m)};
+    EXPECT_EQ(vehicle.Limit(Wanted(200, 2)).speed_mps, 0) << ahead_m;
+  }
+}
+
+TEST(TurningRoom, StaysFiniteWithAnEchoAtItsOwnPlace) {
+  Eastbound vehicle{.echoes = {{.direction = {1, 0, 0}, .range_m = 0}}};
+  const TrackCommand command = vehicle.Limit(Wanted(200, 2));
+  EXPECT_TRUE(std::isfinite(command.speed_mps) && std::isfinite(command.psi_d_rad));
+}
+
 TEST(TurningRoom, TurnsWithSteerageWayWhereItHasRoom) {
   Eastbound vehicle{.echoes = WallToTheEast(60)};
   EXPECT_NEAR(vehicle.Limit(Wanted(200, 0.3)).speed_mps, 1.5, 1e-9);
