@@ -137,8 +137,12 @@ void LeaveOutPlugs(const FindMoosFile& find, std::vector<std::string>* files) {
       const std::string_view line = Trimmed(rest.substr(0, end));
       rest.remove_prefix(std::min(end + 1, rest.size()));
       if (!line.starts_with(kInclude)) continue;
-      const std::string_view name = Trimmed(line.substr(kInclude.size()));
-      left_out.insert(FileName(name.substr(0, name.find_first_of(" \t<"))));
+      std::string_view name = Trimmed(line.substr(kInclude.size()));
+      const bool is_quoted = name.starts_with('"');
+      if (is_quoted) name.remove_prefix(1);
+      const std::string file =
+          FileName(name.substr(0, name.find_first_of(is_quoted ? "\"" : " \t<")));
+      if (file != FileName(path)) left_out.insert(file);
     }
     const bool is_mission =
         IsBhvName(path) ||
@@ -154,6 +158,17 @@ bool IsAnyVehicle(const MoosImportOptions& how) {
     return !IsBhvName(run.source.name) &&
            DescribesVehicle(ParseMoosFile(Plug(run.source, run.defines, how.find)));
   });
+}
+
+/// Names the scripts behind `last`, each of which may launch another vehicle.
+void NameUnread(const std::vector<std::string>& scripts, const std::string& last,
+                std::vector<std::string>* notes) {
+  for (auto each = std::find(scripts.begin(), scripts.end(), last) + 1; each != scripts.end();
+       ++each) {
+    notes->push_back(fmt::format(
+        "{}: not read, since {} launches a vehicle already; write a launch.sh that calls both",
+        *each, last));
+  }
 }
 
 /// Reads a mission's folder: what its launch script plugs, or else its .moos and .bhv files. The
@@ -201,7 +216,10 @@ void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<s
     const bool plugs_bhv = std::any_of(how->runs.begin(), how->runs.end(), [](const MoosRun& run) {
       return IsBhvName(run.source.name);
     });
-    if (plugs_bhv || !has_bhv || IsAnyVehicle(*how)) break;
+    if (!plugs_bhv && has_bhv && !IsAnyVehicle(*how)) continue;
+    // launch.sh calls those beside it, or they are for special cases.
+    if (main == scripts.end()) NameUnread(scripts, name, notes);
+    break;
   }
   // Behaviors that no line plugs are found by their name.
   if (!how->runs.empty()) return files->clear();

@@ -83,7 +83,11 @@ TEST_F(Import, ReadsAFolderWhoseShoreAndVehiclesHaveAScriptEach) {
   Write("m/meta.moos", "Community = $(VNAME)\nProcessConfig = pHelmIvP\n{\n}\n");
   Write("m/meta.bhv", "Behavior = BHV_Timer\n{\nname = b\n}\n");
   const std::string toml = directory_.File("a.toml");
+  ::testing::internal::CaptureStderr();
   EXPECT_EQ(RunImport({.files = {directory_.File("m")}, .out_path = toml}), kExitOk);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(),
+            "launch_vehicle_two.sh: not read, since launch_vehicle.sh launches a vehicle already; "
+            "write a launch.sh that calls both\n");
   const LoadedMission loaded = LoadMission(toml);
   ASSERT_EQ(loaded.mission.vehicles.size(), 1U) << "each script starts a mission of its own";
   EXPECT_EQ(loaded.mission.vehicles[0].name, "ida");
@@ -94,7 +98,9 @@ TEST_F(Import, ReadsAFolderWhoseShoreAndVehiclesHaveAScriptEach) {
 TEST_F(Import, TakesFilesThatOthersIncludeForNoMissions) {
   std::filesystem::create_directory(directory_.File("m"));
   Write("m/ida.moos",
-        "Community = ida\n#include plug_origin.moos\n#include plug_helm.moos <x>  // its helm\n");
+        "Community = ida\n#include plug_origin.moos\n#include plug_helm.moos <x>  // its helm\n"
+        "#include \"plug_radio.moos\"\n#include ida.moos\n");
+  Write("m/plug_radio.moos", "ProcessConfig = pHelmIvP\n{\n}\n");
   Write("m/plug_origin.moos", "LatOrigin = 54\nLongOrigin = 10\n");
   Write("m/plug_helm.moos", "<tag><x>\nProcessConfig = pHelmIvP\n{\n}\n");
   Write("m/plug_alone.moos", "MOOSTimeWarp = 3\n");
