@@ -179,4 +179,29 @@ TEST(RecoveryOfMessages, IsWarnedOfWhereNoneAreReceived) {
       << warnings[0];
 }
 
+TEST(AutopilotOfARemus100, IsWarnedOfWhereLittleRudderTurnsItWiderThanItKeepsRoomFor) {
+  const auto warnings = [](const std::string& fin_deg, const std::string& more) {
+    std::string text;
+    for (const std::string& each : WarningsOf(
+             "[mission]\nduration_s = 60\n[[vehicle]]\nname = \"bravo\"\nmodel = \"remus100\"\n"
+             "[[vehicle]]\nname = \"alpha\"\nmodel = \"remus100\"\nsonar = {}\n"
+             "autopilot = {max_fin_deg = " +
+             fin_deg +
+             "}\n"
+             "[[vehicle.task]]\nkind = \"target_track\"\nname = \"follow\"\ntarget = \"bravo\"\n" +
+             more)) {
+      if (each.find("rudder it turns") != each.npos) text += each;
+    }
+    return text;
+  };
+  const std::string sonar = "layers = [\"sonar\", \"feed_forward\"]\n";
+  EXPECT_EQ(warnings("15", sonar), "");
+  EXPECT_EQ(warnings("14", ""), "") << "without echoes nothing is limited";
+  EXPECT_EQ(warnings("14", sonar + "speed_along_bow = false\n"), "");
+  EXPECT_EQ(warnings("14", sonar),
+            "m.toml:10:28: warning: with 14 degrees of rudder it turns on a wider circle than the "
+            "task 'follow' leaves room for before obstacles: write 15 or more, or keep its leader "
+            "far from them");
+}
+
 }  // namespace shoal::load_autopilot_test

@@ -11,6 +11,7 @@
 
 #include "lib/mission/file/load_testing.h"
 #include "lib/mission/file/mission_testing.h"
+#include "lib/vehicle/guidance/turning_room.h"
 
 namespace shoal::rows_test {
 
@@ -118,6 +119,16 @@ TEST(VehicleModels, CanStartUnderWaterWhereTheyDive) {
     const std::string errors =
         ErrorsAfter("start = {depth_m = 5}\nmodel = \"" + std::string(facts.name) + "\"\n");
     EXPECT_EQ(errors.empty(), facts.is_underwater) << facts.name << ": " << errors;
+  }
+}
+
+TEST(VehicleModels, TurnNoWiderThanFollowersKeepRoomForBeforeObstacles) {
+  for (const AnyModel& model : EachModel()) {
+    const ModelFacts facts = FactsOfModel(model);
+    if (!facts.is_underwater) continue;
+    EXPECT_GT(facts.turning_diameter_m, 0) << facts.name;
+    EXPECT_LE(facts.turning_diameter_m, kWidestTurn_m)
+        << facts.name << ": turning_room.cc has the circle of a Remus 100";
   }
 }
 

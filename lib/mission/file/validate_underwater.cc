@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "lib/mission/file/validate.h"
+#include "lib/vehicle/guidance/turning_room.h"
 
 namespace shoal {
 namespace {
@@ -126,6 +127,22 @@ void CheckPathFollowing(const TablePlace& place, const PathFollowTask& path, con
   }
 }
 
+/// How far it turns between obstacles is known of a rudder that may be used as far as usual.
+void WarnOfWideTurns(const TablePlace& place, const Task& task, const Vehicle& vehicle) {
+  const auto& track = std::get<TargetTrackTask>(task.what);
+  const auto* cascade = std::get_if<VelocityCascade>(&track.track.law);
+  const auto* model = std::get_if<Remus100Options>(&vehicle.model);
+  if (cascade == nullptr || model == nullptr) return;
+  const double most_deg = GainsOf(*model).max_fin_deg;
+  if (!track.speed_along_bow || !NeedsSonar(*cascade) || most_deg >= kTurningRudder_deg) return;
+  place.Below("autopilot")
+      .Warn("max_fin_deg",
+            fmt::format("with {:g} degrees of rudder it turns on a wider circle than the task {} "
+                        "leaves room for before obstacles: write {:g} or more, or keep its leader "
+                        "far from them",
+                        most_deg, Quoted(task.name), kTurningRudder_deg));
+}
+
 void CheckTargetTracking(const TablePlace& place, const TargetTrackTask& track,
                          const Vehicle& vehicle, const Mission& mission) {
   if (const auto* cascade = std::get_if<VelocityCascade>(&track.track.law)) {
@@ -154,6 +171,7 @@ void ValidateUnderwater(const Mission& mission, const TablePlace& file) {
       }
       if (const auto* track = std::get_if<TargetTrackTask>(&task.what)) {
         CheckTargetTracking(place.Below("task", k), *track, vehicle, mission);
+        WarnOfWideTurns(place, task, vehicle);
       }
       if (const auto* path = std::get_if<PathFollowTask>(&task.what)) {
         CheckPathFollowing(place.Below("task", k), *path, vehicle, mission);

@@ -26,6 +26,11 @@
 
 namespace shoal {
 
+/// The turning circle is that of a vehicle which gives at least this much rudder ...
+inline constexpr double kTurningRudder_deg = 15;
+/// ... and whose circle with full rudder is no wider than this (ModelFacts::turning_diameter_m).
+inline constexpr double kWidestTurn_m = 45;
+
 class TurningRoom {
  public:
   /// Limits course and speed of `command`, a velocity relative to the water, for a vehicle on
