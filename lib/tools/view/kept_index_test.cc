@@ -106,4 +106,24 @@ TEST_F(KeptIndexTest, AnswersWithJsonWhateverItHolds) {
   }
 }
 
+TEST_F(KeptIndexTest, LeavesAnIndexThatCannotBeKeptAsItIs) {
+  KeptIndex kept;
+  kept.troubles.resize(101);
+  kept.index.events.push_back(
+      {.utime = 5, .kind = EventKind::kWaypoint, .vehicles = {}, .text = "waypoint 1"});
+  Keyframe& keyframe = kept.index.keyframes.emplace_back(
+      Keyframe{.timeline = RecordedTimeline(0), .links = {}, .media_links = {}, .standing = {}});
+  keyframe.offset = 77;
+  keyframe.kinds_seen[1] = true;
+  keyframe.standing.push_back({.offset = 33, .scene_utime = 44});
+  EXPECT_TRUE(IndexBytes(&kept).empty());
+  EXPECT_EQ(kept.index.events[0].utime, 5);
+  EXPECT_EQ(kept.index.events[0].kind, EventKind::kWaypoint);
+  EXPECT_EQ(keyframe.offset, 77U);
+  EXPECT_TRUE(keyframe.kinds_seen[1]);
+  EXPECT_EQ(keyframe.standing[0].offset, 33U);
+  kept.troubles.pop_back();
+  EXPECT_FALSE(IndexBytes(&kept).empty());
+}
+
 }  // namespace shoal::kept_index_test
