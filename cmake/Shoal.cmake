@@ -2,7 +2,7 @@
 #
 #   shoal_library(NAME SOURCES a.cc ... DEPENDS other_lib Eigen3::Eigen ...
 #                 TESTS a_test.cc ... [TEST_DEPENDS lib ...])
-#   shoal_app(NAME [RUN Function] SOURCES x_app.cc ... DEPENDS lib ... TESTS x_app_test.cc ...)
+#   shoal_app(NAME RUN Function SOURCES x_app.cc ... DEPENDS lib ... TESTS x_app_test.cc ...)
 #   shoal_test(NAME SOURCES x_test.cc ... DEPENDS lib ...
 #              [LABEL unit|process|browser|slurm|bench-smoke] [TIMEOUT seconds] [SERIAL])
 #
@@ -10,8 +10,8 @@
 # on those before it in SHOAL_FLOORS; on the pure floors, beside these, on the numeric libraries of
 # SHOAL_PURE_EXTERNALS and on nothing else. Anything more fails here, at configure time.
 # scripts/floors holds every #include against the same order.
-# shoal_app makes a library <NAME>_app from SOURCES and the executable, from <NAME>_main.cc or, with
-# RUN, from a main that calls `int shoal::Function(int argc, char** argv)` of the library.
+# shoal_app makes a library <NAME>_app from SOURCES and the executable, whose main function calls
+# `int shoal::Function(int argc, char** argv)` of the library.
 #
 # What builds fast is chosen by the preset (CMakePresets.json, docs/building.md): precompiled
 # headers (SHOAL_PCH), one translation unit per library (CMAKE_UNITY_BUILD), shared libraries
@@ -149,7 +149,8 @@ endfunction()
 
 if(SHOAL_PCH)
   shoal_precompiled_headers(pure OPTIONS ${SHOAL_LIBRARY_OPTIONS})
-  shoal_precompiled_headers(step OPTIONS ${SHOAL_LIBRARY_OPTIONS} DEPENDS fmt::fmt shoal_lcmtypes)
+  shoal_precompiled_headers(step OPTIONS ${SHOAL_LIBRARY_OPTIONS} ${SHOAL_STEP_OPTIONS}
+    DEPENDS fmt::fmt shoal_lcmtypes)
   shoal_precompiled_headers(brief OPTIONS ${SHOAL_LIBRARY_OPTIONS} ${SHOAL_BRIEF_OPTIONS}
     DEPENDS fmt::fmt shoal_lcmtypes)
   set_target_properties(shoal_pch_pure shoal_pch_step shoal_pch_brief PROPERTIES
@@ -172,6 +173,8 @@ function(shoal_compile_as_its_kind target)
   elseif(floor IN_LIST SHOAL_BRIEF OR room IN_LIST SHOAL_BRIEF)
     set(kind brief)
     target_compile_options(${target} PRIVATE ${SHOAL_BRIEF_OPTIONS})
+  else()
+    target_compile_options(${target} PRIVATE ${SHOAL_STEP_OPTIONS})
   endif()
   target_compile_options(${target} PRIVATE ${SHOAL_LIBRARY_OPTIONS})
   # The rooms for files that stand below a mission do not know its names.
@@ -265,22 +268,15 @@ endfunction()
 
 function(shoal_app name)
   cmake_parse_arguments(ARG "" "RUN" "SOURCES;DEPENDS;TESTS;TEST_DEPENDS" ${ARGN})
-  if(ARG_UNPARSED_ARGUMENTS)
-    message(FATAL_ERROR "shoal_app(${name}): unknown arguments ${ARG_UNPARSED_ARGUMENTS}")
+  if(ARG_UNPARSED_ARGUMENTS OR NOT ARG_RUN)
+    message(FATAL_ERROR "shoal_app(${name}): RUN is missing, or unknown: ${ARG_UNPARSED_ARGUMENTS}")
   endif()
   shoal_library(${name}_app SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS}
     TESTS ${ARG_TESTS} TEST_DEPENDS ${ARG_TEST_DEPENDS})
-  if(ARG_RUN)
-    # A main that includes nothing compiles in no time.
-    set(main ${CMAKE_BINARY_DIR}/gen/${name}_main.cc)
-    configure_file(${CMAKE_SOURCE_DIR}/apps/main.cc.in ${main} @ONLY)
-    add_executable(${name} ${main})
-  else()
-    add_executable(${name} ${name}_main.cc)
-    # As the libraries are, so that it can use their precompiled headers.
-    target_compile_options(${name} PRIVATE -fPIC)
-    shoal_compile_as_its_kind(${name})
-  endif()
+  # A main that includes nothing compiles in no time.
+  set(main ${CMAKE_BINARY_DIR}/gen/${name}_main.cc)
+  configure_file(${CMAKE_SOURCE_DIR}/apps/main.cc.in ${main} @ONLY)
+  add_executable(${name} ${main})
   target_link_libraries(${name} PRIVATE ${name}_app shoal_flags)
 endfunction()
 

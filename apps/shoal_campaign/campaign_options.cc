@@ -11,6 +11,7 @@
 #include "apps/shoal_campaign/campaign_answers.h"
 #include "apps/shoal_campaign/campaign_command.h"
 #include "apps/shoal_campaign/campaign_submit.h"
+#include "lib/run/command_line/tool_commands.h"
 
 namespace shoal {
 
@@ -242,6 +243,10 @@ void AddCampaignCommands(Command campaign, CommandAction* action) {
   AddCampaignReport(campaign, action);
   AddCampaignCompare(campaign, action);
   AddCampaignReplay(campaign, action);
+}
+
+int RunShoalCampaign(int argc, char** argv) {
+  return RunToolCommand("campaign", argc, argv, AddCampaignCommands);
 }
 
 }  // namespace shoal

@@ -9,4 +9,7 @@ namespace shoal {
 /// Adds them; the chosen one sets `action` to what it runs.
 void AddCampaignCommands(Command command, CommandAction* action);
 
+/// The main function of shoal-campaign.
+int RunShoalCampaign(int argc, char** argv);
+
 }  // namespace shoal

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "apps/shoal_encounters/encounters_command.h"
+#include "lib/run/command_line/tool_commands.h"
 
 namespace shoal {
 
@@ -96,6 +97,10 @@ void AddEncounterCommands(Command encounters, CommandAction* action) {
   run.Callback([trials, action] {
     *action = [trials] { return RunEncounterTrials(*trials, std::cout, std::cerr); };
   });
+}
+
+int RunShoalEncounters(int argc, char** argv) {
+  return RunToolCommand("encounters", argc, argv, AddEncounterCommands);
 }
 
 }  // namespace shoal

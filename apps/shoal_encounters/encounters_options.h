@@ -9,4 +9,7 @@ namespace shoal {
 /// Adds them; the chosen one sets `action` to what it runs.
 void AddEncounterCommands(Command command, CommandAction* action);
 
+/// The main function of shoal-encounters.
+int RunShoalEncounters(int argc, char** argv);
+
 }  // namespace shoal

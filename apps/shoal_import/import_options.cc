@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "apps/shoal_import/import_command.h"
+#include "lib/run/command_line/tool_commands.h"
 
 namespace shoal {
 
@@ -34,6 +35,10 @@ void AddImportOptions(Command command, CommandAction* action) {
       "Run it in the viewer, with its vehicles deployed; without --out it is written to "
       "FOLDER.toml");
   command.Callback([options, action] { *action = [options] { return RunImport(*options); }; });
+}
+
+int RunShoalImport(int argc, char** argv) {
+  return RunToolCommand("import", argc, argv, AddImportOptions);
 }
 
 }  // namespace shoal

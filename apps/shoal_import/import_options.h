@@ -9,4 +9,7 @@ namespace shoal {
 /// Adds them, and sets `action` to what the command runs.
 void AddImportOptions(Command command, CommandAction* action);
 
+/// The main function of shoal-import.
+int RunShoalImport(int argc, char** argv);
+
 }  // namespace shoal

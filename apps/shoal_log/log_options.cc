@@ -153,4 +153,9 @@ void AddLogCommands(Command log, CommandAction* action) {
   ListToolCommands(log, "log");
 }
 
+int RunShoalLog(int argc, char** argv) {
+  if (const auto code = StartToolCommand(argc, argv, "log")) return *code;
+  return RunToolCommand("log", argc, argv, AddLogCommands);
+}
+
 }  // namespace shoal

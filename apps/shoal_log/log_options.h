@@ -9,4 +9,7 @@ namespace shoal {
 /// Adds them; the chosen one sets `action` to what it runs.
 void AddLogCommands(Command command, CommandAction* action);
 
+/// The main function of shoal-log.
+int RunShoalLog(int argc, char** argv);
+
 }  // namespace shoal

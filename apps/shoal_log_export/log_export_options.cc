@@ -55,4 +55,8 @@ void AddLogExportCommands(Command log, CommandAction* action) {
   AddLogSqlite(log, action);
 }
 
+int RunShoalLogExport(int argc, char** argv) {
+  return RunToolCommand("log", argc, argv, AddLogExportCommands);
+}
+
 }  // namespace shoal

@@ -9,4 +9,7 @@ namespace shoal {
 /// Adds them; the chosen one sets `action` to what it runs.
 void AddLogExportCommands(Command log, CommandAction* action);
 
+/// The main function of shoal-log-export.
+int RunShoalLogExport(int argc, char** argv);
+
 }  // namespace shoal

@@ -1,5 +1,6 @@
 #include "apps/shoal_mpi/mpi_options.h"
 
+#include "apps/shoal_mpi/watched_process.h"
 #include "lib/run/command_line/command.h"
 #include "lib/run/run/log_arguments.h"
 
@@ -48,6 +49,11 @@ MpiOptions ParseMpiOptionsOrExit(int argc, char** argv) {
   AddOptions(program, &options);
   program.ParseOrExit(argc, argv);
   return options;
+}
+
+int RunShoalMpi(int argc, char** argv) {
+  const MpiOptions options = ParseMpiOptionsOrExit(argc, argv);
+  return RunWatched([&] { return RunMpiMission(options); });
 }
 
 }  // namespace shoal

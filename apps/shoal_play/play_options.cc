@@ -9,6 +9,7 @@
 
 #include "apps/shoal_play/play_command.h"
 #include "lib/base/check/result.h"
+#include "lib/run/command_line/tool_commands.h"
 #include "lib/run/orders/order_words.h"
 #include "lib/run/run/log_arguments.h"
 
@@ -58,6 +59,10 @@ void AddPlayOptions(Command command, CommandAction* action) {
       return RunPlay(parsed->options);
     };
   });
+}
+
+int RunShoalPlay(int argc, char** argv) {
+  return RunToolCommand("play", argc, argv, AddPlayOptions);
 }
 
 }  // namespace shoal

@@ -8,4 +8,7 @@ namespace shoal {
 
 void AddPlayOptions(Command command, CommandAction* action);
 
+/// The main function of shoal-play.
+int RunShoalPlay(int argc, char** argv);
+
 }  // namespace shoal

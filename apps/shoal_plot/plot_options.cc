@@ -8,6 +8,7 @@
 #include "lib/base/check/result.h"
 #include "lib/bus/record/log_commands.h"
 #include "lib/bus/record/log_reader.h"
+#include "lib/run/command_line/tool_commands.h"
 
 namespace shoal {
 
@@ -38,6 +39,10 @@ void AddPlotOptions(Command command, CommandAction* action) {
       return RunPlot(*options, std::cout, std::cerr);
     };
   });
+}
+
+int RunShoalPlot(int argc, char** argv) {
+  return RunToolCommand("plot", argc, argv, AddPlotOptions);
 }
 
 }  // namespace shoal

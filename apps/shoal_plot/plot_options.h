@@ -9,4 +9,7 @@ namespace shoal {
 /// Adds them, and sets `action` to what the command runs.
 void AddPlotOptions(Command command, CommandAction* action);
 
+/// The main function of shoal-plot.
+int RunShoalPlot(int argc, char** argv);
+
 }  // namespace shoal

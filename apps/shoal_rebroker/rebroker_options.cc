@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "apps/shoal_rebroker/rebroker_command.h"
+#include "lib/run/command_line/tool_commands.h"
 
 namespace shoal {
 
@@ -21,6 +22,10 @@ void AddRebrokerOptions(Command command, CommandAction* action) {
   command.Callback([options, action] {
     *action = [options] { return RunRebroker(*options, std::cout, std::cerr); };
   });
+}
+
+int RunShoalRebroker(int argc, char** argv) {
+  return RunToolCommand("rebroker", argc, argv, AddRebrokerOptions);
 }
 
 }  // namespace shoal

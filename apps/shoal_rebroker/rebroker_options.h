@@ -9,4 +9,7 @@ namespace shoal {
 /// Adds them, and sets `action` to what the command runs.
 void AddRebrokerOptions(Command command, CommandAction* action);
 
+/// The main function of shoal-rebroker.
+int RunShoalRebroker(int argc, char** argv);
+
 }  // namespace shoal

@@ -134,4 +134,8 @@ int RunViewer(const ViewerOptions& options) {
                              : ServeLog(options, std::move(parts));
 }
 
+int RunShoalViewer(int argc, char** argv) {
+  return RunViewer(ParseViewerOptionsOrExit(argc, argv));
+}
+
 }  // namespace shoal

@@ -9,4 +9,7 @@ namespace shoal {
 /// (lib/base/check/result.h).
 int RunViewer(const ViewerOptions& options);
 
+/// The main function of shoal-viewer.
+int RunShoalViewer(int argc, char** argv);
+
 }  // namespace shoal

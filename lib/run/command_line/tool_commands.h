@@ -1,8 +1,9 @@
 // The commands of `shoal` that are programs of their own, as git has them: `shoal campaign ...`
-// becomes `shoal-campaign ...`, so that `shoal` links nothing of lib/tools. Such a program is
+// becomes `shoal-campaign ...`, so that `shoal` links nothing of lib/tools. The main function of
+// such a program is
 //
-//   int main(int argc, char** argv) {
-//     return shoal::RunToolCommand("campaign", argc, argv, shoal::AddCampaignCommands);
+//   int RunShoalCampaign(int argc, char** argv) {
+//     return RunToolCommand("campaign", argc, argv, AddCampaignCommands);
 //   }
 #pragma once
 

@@ -12,6 +12,8 @@
 #include "apps/netcdf_reader/answer.h"
 #include "lib/run/command_line/version.h"
 
+namespace shoal {
+
 namespace {
 
 constexpr char kUsage[] =
@@ -23,16 +25,18 @@ constexpr char kUsage[] =
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int RunNetcdfReader(int argc, char** argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
   const bool is_header = words.size() == 1 && words[0] == "header";
   const bool is_values = words.size() == 3 && words[0] == "values";
-  if (is_header || is_values) shoal::AnswerNetcdf(words);
+  if (is_header || is_values) AnswerNetcdf(words);
   const bool is_help = words.size() == 1 && words[0] == "--help";
   if (words.size() == 1 && words[0] == "--version") {
-    std::printf("shoal-netcdf %s\n", shoal::kVersion);
+    std::printf("shoal-netcdf %s\n", kVersion);
     return 0;
   }
   std::fputs(kUsage, is_help ? stdout : stderr);
   return is_help ? 0 : 2;
 }
+
+}  // namespace shoal
