@@ -19,12 +19,14 @@ constexpr double kStraightOn_m = 8;
 constexpr double kTurnRadius_m = 18;
 constexpr double kSteerage_mps = 1.5;  ///< Slower, fins turn it on a wider circle.
 constexpr double kSlow_mps = 0.8;      ///< Slower than this, they hardly do.
+constexpr double kLosesWay_mps = 1.2;  ///< Slower than this toward a wall, it will be too slow.
 
 constexpr double kTouch_m = 3;  ///< With less room than this it does not turn.
 constexpr double kRoom_m = 8;   ///< As much room as this it keeps, to go back.
 constexpr double kFar_m = 40;   ///< Echoes from here on do not matter.
 constexpr double kWideTurn_rad = DegToRad(60);
 constexpr double kAhead_rad = DegToRad(90);  ///< While it goes back: the course is this far ahead.
+constexpr double kToward = 0.87;             ///< Cosine of 30 degrees.
 constexpr double kArcStep_rad = DegToRad(15);
 constexpr double kStraightStep_m = 2;
 
@@ -69,6 +71,11 @@ double RoomFor(const Points& obstacles_m, const Eigen::Vector2d& current_mps, do
   return std::sqrt(square_m2);
 }
 
+/// Whether it goes about toward `to_m`, over the ground.
+bool GoesToward(const Eigen::Vector2d& to_m, const Eigen::Vector2d& ground_mps) {
+  return ground_mps.dot(to_m) > kToward * ground_mps.norm() * to_m.norm();
+}
+
 }  // namespace
 
 void TurningRoom::Limit(const Surroundings& surroundings, double psi_rad, double u_max_mps,
@@ -90,10 +97,15 @@ void TurningRoom::Limit(const Surroundings& surroundings, double psi_rad, double
   const double steerage_mps = std::min(kSteerage_mps, u_max_mps);
 
   if (side_ != 0 && room_m >= kRoom_m && (is_wide || bow_mps >= kSlow_mps)) side_ = 0;
-  if (side_ == 0 && nearest->norm() < kFar_m && (bow_mps < kSlow_mps || is_wide)) {
+  const auto [sine, cosine] = SinCos(psi_rad);
+  // A law that slows before a wall loses the way that a turn needs.
+  const bool loses_way =
+      bow_mps < kLosesWay_mps &&
+      GoesToward(*nearest, current_mps + bow_mps * Eigen::Vector2d(cosine, sine));
+  if (side_ == 0 && nearest->norm() < kFar_m && (bow_mps < kSlow_mps || is_wide || loses_way)) {
     const double back_rad = WrapPi(away_rad - psi_rad);
     const double back_room_m = RoomFor(obstacles_m, current_mps, psi_rad, back_rad);
-    const bool may_stick = bow_mps < kSlow_mps || room_m < kRoom_m;
+    const bool may_stick = bow_mps < kSlow_mps || room_m < kRoom_m || loses_way;
     if (may_stick && back_room_m >= kTouch_m && back_room_m < kRoom_m) {
       side_ = back_rad < 0 ? -1 : 1;
     }

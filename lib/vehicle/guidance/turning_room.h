@@ -7,7 +7,7 @@
 // turn it by its speed relative to the water, on a circle: in open water it needs way to turn,
 // before a wall the same way carries it through. So what a law wants is limited:
 //
-//                 slow or about to turn far, and soon too close to go back
+//        slow, slowing toward an echo or about to turn far, and soon too close to go back
 //   follows  ───────────────────────────────────────────────────────────────►  goes back
 //      ▲                                                                          │
 //      └──────────────────────────────────────────────────────────────────────────┘

@@ -109,6 +109,22 @@ TEST(TurningRoom, GoesBackBeforeItIsTooCloseToTurn) {
   EXPECT_FALSE(vehicle.room.goes_back());
 }
 
+TEST(TurningRoom, GoesBackWhereTheLawSlowsItTowardAWall) {
+  for (const double wanted_mps : {1.0, 1.6}) {
+    Eastbound vehicle;
+    for (double ahead_m = 45; ahead_m > 31 && !vehicle.room.goes_back(); --ahead_m) {
+      vehicle.echoes = WallToTheEast(ahead_m);
+      vehicle.Limit(Wanted(92, wanted_mps));
+    }
+    EXPECT_EQ(vehicle.room.goes_back(), wanted_mps < 1.2) << wanted_mps;
+  }
+  // Carried along the wall it does not come closer.
+  Eastbound carried{.echoes = WallToTheEast(32)};
+  carried.seen.current_mps = {-0.5, 1, 0};
+  carried.Limit(Wanted(92, 1));
+  EXPECT_FALSE(carried.room.goes_back());
+}
+
 TEST(TurningRoom, TakesEchoesAboveAndBelowForNoObstacle) {
   Eastbound vehicle{.echoes = WallToTheEast(9)};
   for (SonarEcho& echo : vehicle.echoes) {
