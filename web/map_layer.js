@@ -1,10 +1,10 @@
 // A part of the map that changes rarely, kept as a picture somewhat larger than the canvas. While
-// the view moves the picture is moved and scaled; it is drawn anew when its content changed, now
+// the view moves the picture is moved and scaled; it is drawn again when its content changed, now
 // and then while it does not fit the view, and when the view has come to rest.
 
 const kMargin = 96;
 const kRest_ms = 140;
-// While the view moves the picture is drawn anew at this interval, on a slow machine once in this
+// While the view moves the picture is drawn again at this interval, on a slow machine once in this
 // many frames; meanwhile its edge may be seen.
 const kMoving_ms = 250;
 const kMovingFrames = 8;
@@ -28,7 +28,7 @@ export class Motion {
     this.#drawn = false;
   }
 
-  /** True where a layer that does not fit the view may be drawn anew: one a frame. */
+  /** True where a layer that does not fit the view may be drawn again: one a frame. */
   mayDraw(age_ms) {
     if (this.rest_ms > kRest_ms) return true;
     if (this.#drawn || age_ms < Math.max(kMoving_ms, kMovingFrames * this.frame_ms)) return false;
@@ -52,7 +52,7 @@ export class MapLayer {
 
   /**
    * Puts the layer on `target`, whose transform is that of CSS pixels. `draw(context, camera)`
-   * draws it anew; `key` changes with its content.
+   * draws it again; `key` changes with its content.
    */
   show(target, camera, ratio, key, nowMs, motion, draw) {
     if (this.#mustDraw(camera, ratio, key, this.age(nowMs), motion)) {

@@ -11,7 +11,7 @@ import {isNumber} from './geometry.js';
 import {MapLayer, Motion} from './map_layer.js';
 import {acousticKinds} from './world.js';
 
-// The picture of the trails is drawn anew so often, for their fading.
+// The picture of the trails is drawn again so often, for their fading.
 const kTrails_ms = 3000;
 const kSwaths_ms = 1000;
 // Many vehicles turn to another waypoint at any time.
@@ -140,7 +140,7 @@ export class MapPainter {
                draw);
   }
 
-  // Few pulses fade smoothly; many are a picture that is drawn anew some times in a second.
+  // Few pulses fade smoothly; many are a picture that is drawn again some times in a second.
   #paintPulses(ctx, view, t, nowMs) {
     // Rings show the same, and how it travels.
     const asRings = view.layers.rings ? acousticKinds(this.#world.rules) : [];
@@ -165,7 +165,7 @@ export class MapPainter {
       drawTasks(to, wide, view.theme, vehicles, this.#tasksOf, selected));
   }
 
-  // A picture of trails is drawn anew where they were changed, where time has gone back, and when
+  // A picture of trails is drawn again where they were changed, where time has gone back, and when
   // it is too old.
   #renew(stamp, layer, most_ms, t, nowMs) {
     const version = this.#world.trailsVersion;

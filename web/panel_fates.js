@@ -83,7 +83,7 @@ export class FatesPanel {
     this.again();
   }
 
-  /** Drops what is shown and asks anew. */
+  /** Drops what is shown and asks again. */
   again() {
     this.round += 1;  // What is still on its way is not wanted any more.
     this.kept = [];

@@ -101,7 +101,7 @@ TEST_F(Gateway, AddsItselfToTheWayOfWhatAnotherHasForwarded) {
   EXPECT_EQ(sent[0].via, "mast:buoy");
   node_report_t report;
   ASSERT_TRUE(Decode(sent[0].data, &report));
-  ASSERT_EQ(report.extra.size(), 1U) << "one field, written anew";
+  ASSERT_EQ(report.extra.size(), 1U) << "one field, written again";
   EXPECT_EQ(report.extra[0].value, "mast:buoy");
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// The laws' own bounds on their inputs (lib/vehicle/guidance/plausible.h).
 constexpr double kFarthest_m = 1e6;
 constexpr double kFastest_mps = 1000;
-/// A follower that has not steered for the target for longer than this begins anew.
+/// A follower that has not steered for the target for longer than this starts again.
 constexpr double kLongestPause_s = 2;
 
 Neighbour NeighbourOf(int id, const nav_t& nav) {

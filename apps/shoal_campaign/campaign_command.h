@@ -31,7 +31,7 @@ int RunCampaignRun(const CampaignRunCommand& command);
 /// Prints how far a folder is, in one line.
 int RunCampaignStatus(const std::string& dir);
 
-/// Makes results.csv and results.sqlite anew.
+/// Writes results.csv and results.sqlite again.
 int RunCampaignReduce(const std::string& dir);
 
 struct CampaignReplayOptions {

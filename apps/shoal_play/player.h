@@ -1,6 +1,6 @@
 // Plays a recording on LCM: a mission of one participant, which publishes what the log holds, and
 // of those that a user starts beside it. Each time it is moved in the log a mission with another id
-// begins, so that viewers and participants begin anew.
+// begins, so that viewers and participants start again.
 //
 //   open -> claim ports -> register -> [ session: gather, step, END ] -> count
 //                              ^                 |

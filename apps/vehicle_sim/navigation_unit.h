@@ -21,7 +21,7 @@ class NavigationUnit {
  public:
   NavigationUnit(const Mission& mission, const Vehicle& vehicle);
 
-  /// Begins anew at a pose: instruments switched on, the filter at what it knows of a start.
+  /// Starts again at a pose: instruments switched on, the filter at what it knows of a start.
   void Start(const StartPose& pose);
   /// Takes note of a packet: a range, where its sender is a beacon.
   void TakePacket(const acoustic_rx_t& packet);

@@ -15,7 +15,7 @@ class PartView : public ViewSource {
   explicit PartView(std::unique_ptr<RecordedView> part) : part_(std::move(part)) {}
 
   void SetShare(double share) { share_ = share; }
-  /// No more than the begin can be shown: a page begins anew, with the reason.
+  /// No more than the begin can be shown: a page starts again, with the reason.
   void Fail(const std::string& why) {
     std::string json = part_->SetupJsonWith(
         NewToken(),

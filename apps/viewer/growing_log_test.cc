@@ -54,7 +54,7 @@ TEST_F(GrowingLogTest, ShowsTheBeginOfALongLogAtOnceAndThenAllOfIt) {
   (*log)->AwaitAll();
   const nlohmann::json whole = SetupOf(**log);
   EXPECT_FALSE(whole.contains("indexing"));
-  EXPECT_NE(whole["boot"], first["boot"]) << "so that pages begin anew";
+  EXPECT_NE(whole["boot"], first["boot"]) << "so that pages start again";
   EXPECT_NEAR(whole["end_s"].get<double>(), 2999.9, 0.01);
 }
 

@@ -19,7 +19,7 @@ struct CheckedHead {
   int status = 0;            ///< 0: it has not ended yet; 200: it is sound; else what is wrong.
   std::string message = {};  ///< What is wrong.
   size_t size = 0;           ///< Sound: bytes that it takes, with the empty line.
-  std::string head = {};     ///< Sound: what is left of it, written anew.
+  std::string head = {};     ///< Sound: what is left of it, written again.
   bool keeps_alive = true;   ///< Sound: another request may follow on this connection.
 };
 

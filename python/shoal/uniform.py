@@ -1,9 +1,8 @@
 """Reads all messages of a channel at once where they have few layouts.
 
-A message of single numbers and strings has each of its members at the place where the message
-before had it, as long as the strings have the same lengths; so has one with arrays, as long as
-these are empty. Messages of one layout are one array of numpy, and each member a column of it.
-What does not fit is left to the codec, message by message, which also words what is wrong.
+Two messages have the same layout if their strings have the same lengths and their arrays are empty:
+each member is then at the same place in both. All messages of one layout become one numpy array, and
+each member becomes a column of it. The codec reads the other messages one by one, and reports errors.
 """
 
 from __future__ import annotations
@@ -78,7 +77,7 @@ class _Layout:
         )
 
     def fits(self, messages: Any) -> Any:
-        """Returns of each row of bytes whether it has this layout."""
+        """Returns one bool per row of bytes: True if the row has this layout."""
         return (messages[:, self._fixed] == self._like).all(axis=1)
 
     def column(self, name: str, messages: Any) -> Any:

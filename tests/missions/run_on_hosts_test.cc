@@ -399,7 +399,7 @@ TEST(RefusedHome, IsTakenOnceItsFormerPartHasEndedWhereItConnectsAnew) {
     again.Send(offer);
     return again.Await().kind == LinkKind::kAccept;
   })) << farm.hosts[0].process->Output();
-  EXPECT_NE(farm.hosts[0].process->Output().find("LOST: home has connected anew"),
+  EXPECT_NE(farm.hosts[0].process->Output().find("LOST: home has connected again"),
             std::string::npos);
 }
 

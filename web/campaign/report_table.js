@@ -18,7 +18,7 @@ export function cells(report, number, quantity) {
   return [...each.texts, caseNotes(report, number).join('; ')];
 }
 
-/** Makes the table anew. `onPick(number)` is called with the case of a row. */
+/** Makes the table again. `onPick(number)` is called with the case of a row. */
 export function showTable(root, report, quantity, numbers, onPick) {
   const names = report.axes.map((axis) => axis.name || 'case');
   const rows = numbers.slice(0, kMaxRows).map((number) => {

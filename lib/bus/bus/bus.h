@@ -136,8 +136,8 @@ void Publish(Bus& bus, const Channel<T>& channel, const T& message) {
   }
 }
 
-/// Decodes `data` anew: lcm-gen's decoders leave a list of numbers as it was where the message's
-/// own is empty.
+/// Decodes `data` into an empty message: lcm-gen's decoders leave a list of numbers as it was where
+/// the message's own is empty.
 template <class T>
 void DecodeAfresh(std::span<const uint8_t> data, Decoded<T>* decoded) {
   decoded->message = T{};

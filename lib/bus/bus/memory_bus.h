@@ -91,7 +91,7 @@ class MemoryBus {
   /// True where a participant here subscribes to all channels.
   bool has_listener() const { return has_listener_; }
 
-  /// Ends all subscriptions of a participant, whose app is gone. Another one may subscribe anew.
+  /// Ends all subscriptions of a participant, whose app is gone. Another one may subscribe again.
   /// @pre its handlers have run for the step that ended last
   void EndSubscriptions(Bus& participant_bus);
 

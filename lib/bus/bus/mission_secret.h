@@ -1,10 +1,10 @@
 // The secret of one run, which all its participants share and no other user's process knows. With
 // it they prove what they publish (lib/bus/bus/seal.h).
 //
-// `shoal run` makes it anew for each run and hands it on as 64 hexadecimal digits and a line break:
-// to the participants that it starts, as an open file whose descriptor SHOAL_SECRET_FD numbers; to
-// those that a user starts, in a file of mode 0600 beside the mission's entry in the run folder
-// (lib/run/run/run_registry.h), which SHOAL_SECRET_FILE names.
+// `shoal run` makes a new one for each run and hands it on as 64 hexadecimal digits and a line
+// break: to the participants that it starts, as an open file whose descriptor SHOAL_SECRET_FD
+// numbers; to those that a user starts, in a file of mode 0600 beside the mission's entry in the
+// run folder (lib/run/run/run_registry.h), which SHOAL_SECRET_FILE names.
 #pragma once
 
 #include <array>

@@ -11,7 +11,7 @@
 
 namespace shoal {
 
-/// Gathers text and appends it to a file in large pieces. The file is made anew with the first
+/// Gathers text and appends it to a file in large pieces. The file is made again with the first
 /// piece, mode 0644 less the umask, and takes the place of what bears its name: a symbolic or hard
 /// link there is replaced, and what it leads to stays as it is. Open only while it writes: a log
 /// may have more channels than a process may have files.

@@ -40,8 +40,8 @@ struct FrameCount {
   bool operator==(const FrameCount&) const = default;
 };
 
-/// Counts a frame. A lower number means a restart: frames of one sender cannot overtake one
-/// another.
+/// Counts a frame. Frames of one sender arrive in the order in which it sent them, so a lower
+/// number means that the sender has restarted.
 void CountFrame(uint16_t sequence, FrameCount* count);
 
 /// By the sender's id.

@@ -37,7 +37,7 @@ struct ColregsOptions {
 };
 
 /// Roles and preferences: lib/helm/colregs. An iteration without conditions ends the role; it is
-/// judged anew.
+/// judged again.
 class ColregsBehavior final : public BehaviorWith<ColregsOptions> {
  public:
   using BehaviorWith::BehaviorWith;

@@ -9,10 +9,10 @@
 
 namespace shoal {
 
-/// Ranges at which a contact is one for a behavior, m.
+/// When a contact concerns a behavior, m.
 struct AlertRange {
-  double alert_m = 0;
-  double cpa_m = 0;  ///< Within it, what counts is whether the contact will come within alert_m.
+  double alert_m = 0;  ///< A contact nearer than this concerns it.
+  double cpa_m = 0;    ///< So does one nearer than this that will come within alert_m.
 };
 
 /// Returns the ranges of behaviors that keep clear: alert_m = pwt_outer_dist, cpa_m =

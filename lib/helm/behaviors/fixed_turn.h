@@ -28,7 +28,7 @@ class FixedTurnBehavior final : public BehaviorWith<FixedTurnOptions> {
  public:
   using BehaviorWith::BehaviorWith;
   BehaviorAnswer Run(const BehaviorInputs& inputs) override;
-  /// The next turn begins anew.
+  /// The next turn starts again.
   BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
 
  private:

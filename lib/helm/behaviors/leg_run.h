@@ -62,7 +62,7 @@ class LegRunBehavior final : public BehaviorWith<LegRunOptions> {
   using BehaviorWith::BehaviorWith;
   BehaviorAnswer Run(const BehaviorInputs& inputs) override;
   BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
-  /// Other ends: begins anew. Other turns count from the next one.
+  /// Other ends: starts again. Other turns count from the next one.
   void Reconfigure(const LegRunOptions& options) override;
 
  private:

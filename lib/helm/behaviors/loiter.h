@@ -52,7 +52,7 @@ class LoiterBehavior final : public BehaviorWith<LoiterOptions> {
   explicit LoiterBehavior(const LoiterOptions& options);
   BehaviorAnswer Run(const BehaviorInputs& inputs) override;
   BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
-  /// Another polygon or direction: acquires anew. Else it goes on.
+  /// Another polygon or direction: acquires again. Else it goes on.
   void Reconfigure(const LoiterOptions& options) override;
 
  private:

@@ -23,7 +23,7 @@ class MaintainHeadingBehavior final : public BehaviorWith<MaintainHeadingOptions
  public:
   using BehaviorWith::BehaviorWith;
   BehaviorAnswer Run(const BehaviorInputs& inputs) override;
-  /// Takes the heading anew after a pause.
+  /// Takes the heading again after a pause.
   BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
 
  private:

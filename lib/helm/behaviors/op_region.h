@@ -65,7 +65,7 @@ class OpRegionBehavior final : public BehaviorWith<OpRegionOptions> {
   BehaviorAnswer Run(const BehaviorInputs& inputs) override;
   /// Keeps nothing but breaches that last.
   BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
-  /// Another region: a breach that lasts is over, and entry counts anew.
+  /// Another region: a breach that lasts is over, and entry counts from zero.
   void Reconfigure(const OpRegionOptions& options) override;
   void Clear() override;
 

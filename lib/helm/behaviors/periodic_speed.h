@@ -19,7 +19,7 @@ struct PeriodicSpeedOptions {
   double basewidth = 0;     ///< m/s.
   double summitdelta = 25;  ///< 0 to 100.
   bool initially_busy = false;
-  bool reset_upon_running = true;  ///< Begins anew after a pause.
+  bool reset_upon_running = true;  ///< Starts again after a pause.
 
   bool operator==(const PeriodicSpeedOptions&) const = default;
 };

@@ -33,7 +33,7 @@ struct PeriodicSurfaceOptions {
 ///      ^                                                                     |
 ///      +------------- mark_variable is set, max_time_at_surface -------------+
 ///
-/// A setting of mark_variable begins the wait anew in every state.
+/// A setting of mark_variable begins the wait again in every state.
 class PeriodicSurfaceBehavior final : public BehaviorWith<PeriodicSurfaceOptions> {
  public:
   using BehaviorWith::BehaviorWith;

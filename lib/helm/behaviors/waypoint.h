@@ -64,7 +64,7 @@ class WaypointBehavior final : public BehaviorWith<WaypointOptions> {
   explicit WaypointBehavior(const WaypointOptions& options);
   BehaviorAnswer Run(const BehaviorInputs& inputs) override;
   BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
-  /// Other points, another order or another currix: begins anew. Else it goes on.
+  /// Other points, another order or another currix: starts again. Else it goes on.
   void Reconfigure(const WaypointOptions& options) override;
 
  private:

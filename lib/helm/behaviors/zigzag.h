@@ -34,7 +34,7 @@ class ZigzagBehavior final : public BehaviorWith<ZigzagOptions> {
  public:
   using BehaviorWith::BehaviorWith;
   BehaviorAnswer Run(const BehaviorInputs& inputs) override;
-  /// Begins anew with a new stem.
+  /// Starts again with a new stem.
   BehaviorAnswer Idle(const BehaviorInputs& inputs) override;
 
  private:

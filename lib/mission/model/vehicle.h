@@ -58,7 +58,7 @@ struct AutopilotOptions {
 };
 
 /// `[vehicle.sensors]`: measurement noise of position and motion. Standard deviations
-/// of Gaussian noise, drawn anew for every step and each number.
+/// of Gaussian noise, drawn again for every step and each number.
 struct SensorOptions {
   bool is_fitted = false;       ///< The file has the table: helm and reports go by MEASURED_NAV.
   double position_noise_m = 0;  ///< Of x and y.

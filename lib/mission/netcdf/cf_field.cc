@@ -104,7 +104,7 @@ class CfReader {
     if (!axis) {
       return fmt::format(
           "has an axis '{}' that is empty, or whose values neither rise nor fall "
-          "from point to point; make the file anew",
+          "from point to point; write the file again",
           name);
     }
     role = {.axis = *axis,
@@ -352,7 +352,7 @@ class CfReader {
           degrees->push_back(stored[y * y_stride + x * x_stride]);
         }
       }
-      if (degrees->empty()) return "has latitudes or longitudes without a value; make it anew";
+      if (degrees->empty()) return "has latitudes or longitudes without a value; write it again";
     }
     At(CfRole::kEast) = std::move(east);
     At(CfRole::kNorth) = std::move(north);
@@ -503,7 +503,7 @@ class CfReader {
     }
     if (std::ranges::adjacent_find(field_.times_s, std::greater_equal<>()) !=
         field_.times_s.end()) {
-      return "has times that are equal; make the file anew";
+      return "has times that are equal; write the file again";
     }
     field_.has_time = true;
     return "";

@@ -149,7 +149,7 @@ TEST(CfFieldErrors, NameTheVariableAndTheRemedy) {
                   .Axis("lon", {1}, kEastDegrees)
                   .Variable("z", {"lat", "lon"}, {1, 2, 3}),
               "bay.nc: variable 'z' has an axis 'lat' that is empty, or whose values neither",
-              "make the file anew");
+              "write the file again");
   ExpectError(FakeNetcdf()
                   .Axis("row", {1, 2}, {})
                   .Axis("lon", {1}, kEastDegrees)

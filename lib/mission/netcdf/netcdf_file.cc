@@ -30,7 +30,7 @@ constexpr size_t kMaxHeader_bytes = size_t{16} << 20;
 /// Of an answer beside its numbers, or of one that is a text.
 constexpr size_t kAround_bytes = kMaxNetcdfText_bytes + 64;
 constexpr char kDamaged[] =
-    "the file is damaged, or was made by no NetCDF library: copy or make it anew, and look at it "
+    "the file is damaged, or was made by no NetCDF library: copy or write it again, and look at it "
     "with ncdump -h";
 constexpr char kMissing[] =
     "shoal's program shoal-netcdf, which reads NetCDF, is not there: where shoal was built, run "

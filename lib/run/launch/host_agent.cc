@@ -223,7 +223,7 @@ void HostAgent::OnOffer(const std::string& peer_id, const LinkMessage& message, 
   if (session_ != nullptr) {
     // Home that has lost this host and found it again: what runs here is of no more use to it.
     if (message.mission_id == session_->mission_id() && peers_[peer_id].key == peers_[home_].key) {
-      LoseHome("has connected anew", wall_us);
+      LoseHome("has connected again", wall_us);
     }
     return Refuse(peer_id, message.mission_id,
                   fmt::format("it runs another mission now, {}: wait until that has ended",

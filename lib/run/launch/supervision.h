@@ -84,9 +84,9 @@ class Supervision {
   ChildProcesses children_;
   ViewerAddress viewer_address_;
   std::vector<std::string> loggers_;
-  std::set<std::string> lost_;        ///< Processes. Named already; not to be named again.
-  std::set<std::string> lost_later_;  ///< After the mission's end was decided.
-  std::string cause_;                 ///< Why the mission ends, where that is Fail's.
+  std::set<std::string> lost_;        ///< Lost processes that the user knows of.
+  std::set<std::string> lost_later_;  ///< Lost after the end of the mission was decided.
+  std::string cause_;                 ///< Why the mission fails; empty where Fail was not called.
   std::map<std::string, int> num_restarts_;
   int exit_code_ = 0;
   int64_t started_us_ = 0;

@@ -32,7 +32,7 @@ class StepPace {
   /// Executes pause, resume or warp. Returns why not, or an empty text.
   std::string Execute(const clock_command_t& command, int64_t wall_us);
 
-  /// Measures factor() anew where the last measurement is old enough.
+  /// Measures factor() again where the last measurement is old enough.
   void MeasureFactor(int64_t wall_us);
 
   double warp() const { return warp_; }

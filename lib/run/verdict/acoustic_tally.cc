@@ -50,7 +50,7 @@ void AcousticTally::Add(const AcousticReception& reception) {
 int64_t AcousticTally::NumInTransit() const {
   int64_t num_in_transit = 0;
   for (const auto& [source, packets] : packets_) {
-    // A broker that is started again counts anew: packets of one number are then one.
+    // A broker that is started again counts from zero: packets of one number are then one.
     const auto num_concluded = static_cast<int64_t>(packets.concluded.size());
     num_in_transit += std::max<int64_t>(0, packets.num_sent - num_concluded);
   }

@@ -55,13 +55,13 @@ struct MicroModemCounts {
   int64_t understood = 0;
   int64_t foreign = 0;
   int64_t damaged_headers = 0;
-  int64_t own = 0;             ///< With this modem's address as source: another has it too.
-  int64_t overheard = 0;       ///< For others.
-  int64_t no_cycle = 0;        ///< Data at rate 0 whose cycle packet was not arrival.
-  int64_t damaged_frames = 0;  ///< Of understood packets.
+  int64_t own = 0;             ///< From another modem that has this one's address.
+  int64_t overheard = 0;       ///< Addressed to other modems.
+  int64_t no_cycle = 0;        ///< Data at rate 0 without its cycle packet.
+  int64_t damaged_frames = 0;  ///< In packets whose header was understood.
   // To the network.
   int64_t sent = 0;
-  int64_t answers_dropped = 0;  ///< Answers to other modems for which too many were waiting.
+  int64_t answers_dropped = 0;  ///< Not sent, since too many answers waited.
 
   bool operator==(const MicroModemCounts&) const = default;
 };

@@ -28,7 +28,7 @@ struct SweepAxis {
 
 enum class SampleKind { kUniform, kNormal, kChoice };
 
-/// A key that is drawn anew for each repetition, the same in all cases.
+/// A key that is drawn again for each repetition, the same in all cases.
 struct SampledKey {
   std::string key;
   SampleKind kind = SampleKind::kUniform;

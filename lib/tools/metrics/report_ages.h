@@ -17,9 +17,9 @@ namespace shoal {
 
 class ReportAges {
  public:
-  /// Takes a report that was made at `report_utime` and received at `utime`. One that is older than
-  /// the last is no news; one from the future has no age yet. Times that no mission has are left
-  /// out.
+  /// Takes a report that was made at `report_utime` and received at `utime`. A report older than
+  /// the last one changes nothing. A report from the future has age 0 when it arrives. Times
+  /// outside every mission are ignored.
   void Add(size_t vehicle, size_t contact, int64_t report_utime, int64_t utime);
 
   /// Returns how the age went up to `end_utime`; empty where no report came.

@@ -101,7 +101,7 @@ struct Script {
   double num_resets = 0;
   int reset_line = 0;
   bool is_paused = false;
-  bool shuffles = true;  ///< Times are drawn anew in each round.
+  bool shuffles = true;  ///< Times are drawn again in each round.
 };
 
 Script ReadScript(const MoosBlock& block, TimerScript* result) {

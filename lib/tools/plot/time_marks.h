@@ -19,11 +19,11 @@ class TimeMarks {
  public:
   static constexpr size_t kMaxMarks = 15;
 
-  /// Takes the next point of the track; it is a mark where it is the first at or behind a multiple
-  /// of the step, by a second at most. The start is none.
+  /// Takes the next point of the track. The first point at or after a multiple of the step, by at
+  /// most one second, becomes a mark. The start of the track is no mark.
   void Add(double time_s, CurvePoint at);
 
-  /// Between marks, at present.
+  /// Returns the present time between two marks.
   int64_t step_s() const { return step_s_; }
 
   /// Returns the marks at multiples of `step_s`. @pre a multiple of step_s()

@@ -73,7 +73,7 @@ class WorkerPool {
   size_t num_busy() const;
   /// @pre HasIdle()
   void Start(const TrialJob& job);
-  /// Waits for results, at most so long, or until a signal comes.
+  /// Waits for results: `timeout_ms` at most, or until a signal comes.
   std::vector<FinishedJob> Wait(int timeout_ms);
 
  private:

@@ -47,7 +47,7 @@ class JsonWriter {
   JsonWriter& Boolean(std::string_view key, bool value) { return Key(key).Boolean(value); }
   JsonWriter& Text(std::string_view key, std::string_view text) { return Key(key).Text(text); }
 
-  /// Returns what was written, and begins anew.
+  /// Returns what was written, and starts again.
   std::string Take();
 
  private:

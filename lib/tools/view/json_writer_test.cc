@@ -32,7 +32,7 @@ TEST(JsonWriter, WritesNestedValues) {
       .Raw("[2]")
       .EndObject();
   EXPECT_EQ(json.Take(), R"({"a":[1,{},null],"b":true,"c \"d\"":[],"e":[2]})");
-  EXPECT_EQ(json.Take(), "") << "it began anew";
+  EXPECT_EQ(json.Take(), "") << "it started again";
 }
 
 TEST(JsonWriter, RoundsAndWritesNoMoreDigitsThanNeeded) {

@@ -17,7 +17,7 @@ namespace shoal {
 /// Returns the link matrix at the scene's time.
 [[nodiscard]] std::string LinksJson(const Scene& scene);
 
-/// Returns the same of one medium, or an error that lists those that there are.
+/// Returns the link matrix of one medium, or an error that lists the mission's media.
 [[nodiscard]] Result<std::string> MediumLinksJson(const Scene& scene, std::string_view medium);
 
 /// One link's history.

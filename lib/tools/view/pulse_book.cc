@@ -127,8 +127,8 @@ std::vector<const ViewPulse*> PulseBook::Since(int64_t order, int64_t utime) con
 ViewPulse* PulseBook::PlaceFor(std::string_view label, bool of_message, int64_t utime) {
   const auto known = places_.find(label);
   if (known != places_.end()) return &pulses_[known->second];
-  // A much earlier time means that the pulses began anew, or that an earlier message was from far
-  // in the future.
+  // A much earlier time means that the pulses started again, or that an earlier message was from
+  // far in the future.
   const bool may_be_over = utime >= full_until_utime_ || dropped_utime_ - utime > kOvertaking_us;
   if (pulses_.size() == kMaxPulses && may_be_over) DropOver(utime);
   if (pulses_.size() < kMaxPulses) {

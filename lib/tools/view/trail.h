@@ -19,7 +19,7 @@ class Trail {
   static constexpr double kFirstStep_s = 0.5;
 
   /// Keeps the position where it is at least a step after the last one. The step doubles whenever
-  /// there are kMaxPoints. A time before the last one begins anew; positions that are not finite
+  /// there are kMaxPoints. A time before the last one starts again; positions that are not finite
   /// are ignored.
   void Add(double t_s, double x_m, double y_m) {
     if (!points_.empty() && t_s < next_s_ && t_s >= points_.back().t_s) return;

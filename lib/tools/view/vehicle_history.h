@@ -31,7 +31,7 @@ class VehicleHistory {
   static constexpr size_t kMaxAnswer = 600;
 
   /// Takes the state at `t_s`, unless that is too soon after the last point. A time before the
-  /// last one begins anew.
+  /// last one starts again.
   void Add(double t_s, const nav_t& nav, const std::optional<desired_t>& desired);
 
   /// Returns at most kMaxAnswer points of the `window_s` before and at `t_s`, evenly thinned.

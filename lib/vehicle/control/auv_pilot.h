@@ -67,7 +67,7 @@ class AuvPilot {
 
   /// Steers for a heading of path following and a depth, no deeper than `bound`, whose slope ahead
   /// is fed forward. With `path_pitch_rad` the depth moves already, at that pitch of the path: it
-  /// is not filtered. Below least_speed_mps the fins are centred and it starts anew.
+  /// is not filtered. Below least_speed_mps the fins are centred and it starts again.
   /// @pre arguments finite, but for the bound; 0 < dt_s <= 1
   AuvDeflections KeepHeadingAndDepth(const AuvMotion& motion, double psi_ref_rad, double z_ref_m,
                                      const DepthBound& bound, double dt_s,

@@ -160,7 +160,7 @@ function recorded() {
   return {source, held};
 }
 
-test('of a long log it asks whether all of it has been read, and begins anew then', async () => {
+test('of a long log it asks whether all of it has been read, and starts again then', async () => {
   const taken = [];
   const answers = [{...kSetup, indexing: 0.5}, new Error('busy'), {...kSetup, boot: 'two'}];
   const source = new RecordedSource({...kSetup, indexing: 0.1}, {

@@ -93,7 +93,7 @@ test('a live trail goes on where the answer of the viewer ends', () => {
   assert.deepEqual([...trail.x.slice(0, trail.count)], [0, 5, 6]);
 });
 
-test('when a mission begins anew its trails and pulses do too', () => {
+test('when a mission starts again its trails and pulses do too', () => {
   const world = new World({mode: 'live'});
   const pulses = [{id: 1, t: 50, from: [0, 0], to: [1, 1], duration: 1e6, fill: 1}];
   world.addFrame(frameAt(50, {x: 0, y: 0, heading: 0}, {pulses}), 0);
