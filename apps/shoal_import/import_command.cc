@@ -124,8 +124,8 @@ Result<MoosDefines> ReadDefines(std::string_view text, bool is_one) {
   return defines;
 }
 
-/// Leaves out of a folder's files those that are no mission of their own: files that others
-/// #include, and .moos files without a block.
+/// Removes files that are not missions: those that other files #include, and .moos files without a
+/// block.
 void LeaveOutPlugs(const FindMoosFile& find, std::vector<std::string>* files) {
   std::set<std::string> left_out;
   for (const std::string& path : *files) {

@@ -1,10 +1,14 @@
 #include "lib/tools/moos/bhv_text.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
+#include "lib/mission/toml/table_writer.h"
+#include "lib/run/moos_text/numbers.h"
 
 namespace shoal {
 
@@ -41,6 +45,31 @@ std::string ConditionText(std::string_view text) {
   const size_t comma = condition.find(',');
   if (!has_relation && comma != condition.npos) condition.replace(comma, 1, " =");
   return condition;
+}
+
+std::string TomlTexts(const std::vector<std::string>& texts) {
+  std::string list;
+  for (const std::string& text : texts) list += (list.empty() ? "" : ", ") + TomlString(text);
+  return "[" + list + "]";
+}
+
+Result<std::string> TomlNumbers(std::string_view text, bool is_pairs) {
+  std::string list;
+  for (const std::string& part : PartsOf(text, is_pairs ? ":" : ",:")) {
+    std::vector<double> numbers;
+    for (const std::string& word : PartsOf(part, ",")) {
+      const auto number = NumberIn(word);
+      if (!number) return Error{"not numbers"};
+      numbers.push_back(*number);
+    }
+    if (is_pairs && numbers.size() == 1) numbers.push_back(0);
+    if (numbers.size() != (is_pairs ? 2U : 1U)) return Error{"not DEPTH,SECONDS : ..."};
+    list += list.empty() ? "" : ", ";
+    list += is_pairs ? fmt::format("[{}, {}]", TomlNumber(numbers[0]), TomlNumber(numbers[1]))
+                     : TomlNumber(numbers[0]);
+  }
+  if (list.empty()) return Error{"is empty"};
+  return "[" + list + "]";
 }
 
 }  // namespace shoal

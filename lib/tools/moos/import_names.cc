@@ -9,7 +9,7 @@
 #include "lib/mission/model/names.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/tools/moos/import_settings.h"
-#include "lib/tools/moos/import_vehicle.h"
+#include "lib/tools/moos/link_factor.h"
 
 namespace shoal {
 

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <numbers>
 #include <utility>
 
@@ -15,6 +14,8 @@
 #include "lib/mission/toml/table_writer.h"
 #include "lib/run/moos_text/fields.h"
 #include "lib/run/moos_text/numbers.h"
+#include "lib/tools/moos/bhv_text.h"
+#include "lib/tools/moos/start_pos.h"
 
 namespace shoal {
 namespace {
@@ -23,87 +24,25 @@ namespace {
 constexpr char kNoAcceleration_mps2[] = "100";
 constexpr char kNoRudderRate_degps[] = "100000";
 constexpr std::string_view kOwnMotion = "the Remus 100 has motion and autopilots of its own";
-constexpr std::array<std::string_view, 5> kStartOrder = {"x", "y", "heading", "speed", "depth"};
-
-/// Returns the key of `start` for what uSimMarine calls it; empty: there is none.
-std::string_view StartKey(std::string_view moos_key) {
-  if (moos_key == "x") return "x_m";
-  if (moos_key == "y") return "y_m";
-  if (moos_key == "heading" || moos_key == "hdg" || moos_key == "deg") return "heading_deg";
-  if (moos_key == "speed" || moos_key == "spd") return "speed_mps";
-  return "";
+/// A behavior of the kind timer that no line of a .bhv file gives. `settings`: keys and TOML.
+BhvTable TimerTable(std::string_view text, const std::string& origin, const std::string& remark,
+                    const std::vector<std::pair<std::string, std::string>>& settings) {
+  BhvTable table{.header = "[[vehicle.behavior]]", .lines = {}};
+  const auto set = [&](std::string key, std::string value) {
+    const bool is_first = table.lines.empty();
+    table.lines.push_back({.key = std::move(key),
+                           .value = std::move(value),
+                           .origin = is_first ? origin : "",
+                           .text = std::string(text),
+                           .reason = is_first ? remark : "",
+                           .is_essential = true});
+  };
+  set("kind", TomlString("timer"));
+  for (const auto& [key, value] : settings) set(key, value);
+  return table;
 }
-
-/// Reads uSimMarine's start_pos: each part counts by its name, or else by its place among all,
-/// named ones too. What it cannot read is 0; at a part that it refuses it stops. Returns what is
-/// wrong.
-std::string ReadStartPos(std::string_view text, std::map<std::string, double>* given) {
-  std::string problem;
-  size_t place = 0;
-  for (const std::string_view part : TrimmedParts(text, ',')) {
-    const size_t equals = part.find('=');
-    const bool is_named = equals != part.npos;
-    if (!is_named && place >= kStartOrder.size())
-      return "has more than x, y, heading, speed, depth";
-    std::string name =
-        is_named ? LowerCase(Trimmed(part.substr(0, equals))) : std::string(kStartOrder[place]);
-    ++place;
-    if (StartKey(name).empty() && name != "depth") {
-      return fmt::format("{} is none of x, y, heading, speed and depth: what follows is not read",
-                         Quoted(name));
-    }
-    const auto number = NumberIn(is_named ? part.substr(equals + 1) : part);
-    if (!number && !Trimmed(text).empty()) problem = fmt::format("{} is taken as 0", Quoted(part));
-    if (name == "hdg" || name == "deg") name = "heading";
-    if (name == "spd") name = "speed";
-    (*given)[name] = number.value_or(0);
-  }
-  return problem;
-}
-
-/// Writes the settings of a behavior that no line of a .bhv file gives.
-struct TimerSettings {
-  std::string_view text;  ///< What it is made of.
-  BhvTable* table;
-
-  void operator()(std::string key, std::string value, std::string origin = "",
-                  std::string reason = "") const {
-    table->lines.push_back({.key = std::move(key),
-                            .value = std::move(value),
-                            .origin = std::move(origin),
-                            .text = std::string(text),
-                            .reason = std::move(reason),
-                            .is_essential = true});
-  }
-};
 
 }  // namespace
-
-bool IsLinkFactor(std::string_view moos_key) {
-  const std::string key = LowerCase(moos_key);
-  return key == "stealth" || key == "earange" || key == "earrange";
-}
-
-std::optional<LinkFactorSetting> ParseLinkFactor(const MoosLine& line) {
-  const std::string key = LowerCase(line.key) == "stealth" ? "stealth" : "earange";
-  const auto fields = ParseFields(line.value);
-  if (!fields.ok()) return std::nullopt;
-  LinkFactorSetting setting{.vehicle = "", .key = key, .value = ""};
-  for (const MoosField& field : *fields) {
-    const std::string name = LowerCase(field.key.substr(0, 16));
-    if (name == "vname") {
-      setting.vehicle = field.value;
-    } else if (name == key || (key == "earange" && name == "earrange")) {
-      const auto number = NumberIn(field.value);
-      if (!number) return std::nullopt;
-      setting.value = TomlNumber(*number);
-    } else {
-      return std::nullopt;
-    }
-  }
-  if (setting.vehicle.empty() || setting.value.empty()) return std::nullopt;
-  return setting;
-}
 
 VehicleImport::VehicleImport(size_t number, std::string name, std::string remark, bool is_imported,
                              bool is_underwater)
@@ -137,36 +76,30 @@ void VehicleImport::SetFirstValue(const std::string& name, const std::string& va
 
 void VehicleImport::SetWithDeploy(const std::vector<std::pair<std::string, std::string>>& settings,
                                   const std::string& origins) {
-  std::string flags;
+  std::vector<std::string> flags;
   for (const auto& [name, value] : settings) {
-    flags += (flags.empty() ? "" : ", ") + TomlString(fmt::format("{} = {}", name, value));
+    flags.push_back(fmt::format("{} = {}", name, value));
     SetFirstValue(name, value, origins);
   }
-  BhvTable table{.header = "[[vehicle.behavior]]", .lines = {}};
-  const TimerSettings set{"what the button sets with DEPLOY", &table};
-  set("kind", TomlString("timer"), origins, "What the button sets besides DEPLOY.");
-  set("name", TomlString("deploy_button"));
-  set("perpetual", "true");
-  if (behaviors_.variables.contains("DEPLOY")) set("condition", "[\"DEPLOY = true\"]");
-  set("runflag", "[" + flags + "]");
-  behaviors_.tables.push_back(std::move(table));
+  std::vector<std::pair<std::string, std::string>> keys = {{"name", TomlString("deploy_button")},
+                                                           {"perpetual", "true"}};
+  if (behaviors_.variables.contains("DEPLOY"))
+    keys.emplace_back("condition", "[\"DEPLOY = true\"]");
+  keys.emplace_back("runflag", TomlTexts(flags));
+  behaviors_.tables.push_back(TimerTable("what the button sets with DEPLOY", origins,
+                                         "What the button sets besides DEPLOY.", keys));
 }
 
 void VehicleImport::AddTimer(const ScriptTimer& timer) {
-  BhvTable table{.header = "[[vehicle.behavior]]", .lines = {}};
-  const TimerSettings set{"event of uTimerScript", &table};
-  std::string conditions;
-  for (const std::string& condition : timer.conditions) {
-    conditions += (conditions.empty() ? "" : ", ") + TomlString(condition);
-  }
-  set("kind", TomlString("timer"), timer.origin, timer.remark);
-  set("name", TomlString(fmt::format("script_{:03}", ++num_timers_)));
-  set("condition", "[" + conditions + "]");
-  set("duration", TomlNumber(timer.duration_s));
-  set("duration_idle_decay", "false");
-  if (timer.is_repeated) set("perpetual", "true");
-  set("endflag", "[" + timer.flag + "]");
-  behaviors_.tables.push_back(std::move(table));
+  std::vector<std::pair<std::string, std::string>> keys = {
+      {"name", TomlString(fmt::format("script_{:03}", ++num_timers_))},
+      {"condition", TomlTexts(timer.conditions)},
+      {"duration", TomlNumber(timer.duration_s)},
+      {"duration_idle_decay", "false"}};
+  if (timer.is_repeated) keys.emplace_back("perpetual", "true");
+  keys.emplace_back("endflag", "[" + timer.flag + "]");
+  behaviors_.tables.push_back(
+      TimerTable("event of uTimerScript", timer.origin, timer.remark, keys));
 }
 
 void VehicleImport::AddTables(MissionDraft* draft) {
@@ -252,7 +185,7 @@ bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
   if (is_extra) {
     const size_t equals = line.value.find('=');
     if (equals != std::string::npos) {
-      Gather(origin, line, &extra_);
+      extra_.lines.Add(origin, line.text);
       const std::string_view value = line.value;
       extra_.members[TomlString(Trimmed(value.substr(0, equals)))] =
           TomlString(Trimmed(value.substr(equals + 1)));
@@ -271,17 +204,13 @@ bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
   return true;
 }
 
-void VehicleImport::Gather(const std::string& origin, const MoosLine& line, Gathered* gathered) {
-  gathered->origins += (gathered->origins.empty() ? "" : ", ") + origin;
-  gathered->texts += (gathered->texts.empty() ? "" : ", ") + line.text;
-}
-
 bool VehicleImport::TakeSim(std::string_view key, const std::string& origin, const MoosLine& line,
                             std::vector<std::string>* warnings) {
   if (key.starts_with("start_")) return TakeStart(origin, line, warnings);
-  if (key == "thrust_map") return TakeThrustMap(origin, line);
-  if (key == "thrust_factor") return TakeThrustFactor(origin, line);
-  if (key == "max_speed") return TakeMaxSpeed(origin, line);
+  const std::string craft = TableOf(SettingPlace::kCraft);
+  if (key == "thrust_map") return thrust_.TakeMap(line, craft, draft_);
+  if (key == "thrust_factor") return thrust_.TakeFactor(line, craft, draft_);
+  if (key == "max_speed") return thrust_.TakeMaxSpeed(line, craft, draft_);
   return TakeDrift(key, origin, line);
 }
 
@@ -303,7 +232,7 @@ bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line,
   if (is_underwater_ && given.contains("depth")) {
     start_.members["depth_m"] = TomlNumber(given["depth"]);
     given.erase("depth");
-    if (given.empty()) Gather(origin, line, &start_);
+    if (given.empty()) start_.lines.Add(origin, line.text);
   }
   const auto depth = given.find("depth");
   if (depth != given.end() && depth->second != 0) {
@@ -315,62 +244,10 @@ bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line,
     start_.members[std::string(StartKey(name))] = TomlNumber(number);
     any = true;
   }
-  if (any) Gather(origin, line, &start_);
+  if (any) start_.lines.Add(origin, line.text);
   if (!any && depth != given.end() && depth->second == 0) {
     draft_->Remark(id_, origin, line.text, "a surface craft is always there");
   }
-  return true;
-}
-
-bool VehicleImport::TakeThrustMap(const std::string& origin, const MoosLine& line) {
-  std::map<double, double> speeds;
-  for (const std::string_view part : TrimmedParts(line.value, ',')) {
-    const size_t colon = part.find(':');
-    if (colon == std::string_view::npos) return false;
-    const auto thrust = NumberIn(part.substr(0, colon));
-    const auto speed = NumberIn(part.substr(colon + 1));
-    if (!thrust || !speed) return false;
-    speeds[*thrust] = *speed;
-  }
-  ReplaceThrust(origin, line);
-  thrust_map_ = std::move(speeds);
-  return true;
-}
-
-/// The map of an earlier line becomes a comment.
-void VehicleImport::ReplaceThrust(const std::string& origin, const MoosLine& line) {
-  if (!thrust_.origins.empty()) {
-    draft_->Remark(TableOf(SettingPlace::kCraft), thrust_.origins, thrust_.texts,
-                   "replaced by " + origin);
-  }
-  thrust_ = {};
-  Gather(origin, line, &thrust_);
-}
-
-bool VehicleImport::TakeThrustFactor(const std::string& origin, const MoosLine& line) {
-  const auto factor = NumberIn(line.value);
-  if (!factor) return false;
-  const std::string table = TableOf(SettingPlace::kCraft);
-  if (*factor <= 0 || !thrust_map_.empty()) {
-    draft_->Remark(table, origin, line.text,
-                   *factor <= 0 ? "must be positive" : "the thrust map is used instead");
-    return true;
-  }
-  ReplaceThrust(origin, line);
-  thrust_map_ = {{100, 100 / *factor}};
-  return true;
-}
-
-bool VehicleImport::TakeMaxSpeed(const std::string& origin, const MoosLine& line) {
-  const auto speed_mps = NumberIn(line.value);
-  if (!speed_mps || *speed_mps <= 0) return false;
-  if (max_speed_mps_) {
-    draft_->Remark(TableOf(SettingPlace::kCraft), limit_.origins, limit_.texts,
-                   "replaced by " + origin);
-  }
-  limit_ = {};
-  Gather(origin, line, &limit_);
-  max_speed_mps_ = *speed_mps;
   return true;
 }
 
@@ -423,44 +300,6 @@ bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line,
   return true;
 }
 
-/// uSimMarine runs no faster than max_speed, whatever the thrust.
-void VehicleImport::LimitThrustMap() {
-  constexpr double kThrustForDefaultSpeed_pct = 20;  // uSimMarine's thrust_factor, per m/s.
-  if (thrust_map_.empty()) thrust_map_ = {{100, 100 / kThrustForDefaultSpeed_pct}};
-  std::map<double, double> limited;
-  std::pair<double, double> before = {0, 0};
-  for (const auto& [thrust_pct, speed_mps] : thrust_map_) {
-    if (speed_mps <= *max_speed_mps_) {
-      limited[thrust_pct] = speed_mps;
-    } else {
-      const double share = (*max_speed_mps_ - before.second) / (speed_mps - before.second);
-      limited[before.first + share * (thrust_pct - before.first)] = *max_speed_mps_;
-      limited[thrust_pct] = *max_speed_mps_;
-    }
-    if (thrust_pct > 0) before = {thrust_pct, std::min(speed_mps, *max_speed_mps_)};
-  }
-  thrust_map_ = std::move(limited);
-}
-
-void VehicleImport::SetThrustMap() {
-  if (max_speed_mps_) {
-    LimitThrustMap();
-    thrust_.origins += (thrust_.origins.empty() ? "" : ", ") + limit_.origins;
-    thrust_.texts += (thrust_.texts.empty() ? "" : ", ") + limit_.texts;
-  }
-  if (thrust_map_.empty()) return;
-  std::string pairs;
-  for (const auto& [thrust, speed] : thrust_map_) {
-    pairs +=
-        fmt::format("{}[{}, {}]", pairs.empty() ? "" : ", ", TomlNumber(thrust), TomlNumber(speed));
-  }
-  draft_->Set(TableOf(SettingPlace::kCraft), {.key = "thrust_map",
-                                              .value = "[" + pairs + "]",
-                                              .origin = thrust_.origins,
-                                              .text = thrust_.texts,
-                                              .reason = ""});
-}
-
 bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
                               const MoosLine& line) {
   if (key == "drift_vector") {
@@ -476,7 +315,7 @@ bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
     if (!number) return false;
     drift_mps_(key == "drift_x" ? 0 : 1) = *number;
   }
-  Gather(origin, line, &drift_);
+  drift_.Add(origin, line.text);
   return true;
 }
 
@@ -489,8 +328,8 @@ void VehicleImport::SetGathered(const std::string& table, std::string key,
   }
   draft_->Set(table, {.key = std::move(key),
                       .value = "{" + members + "}",
-                      .origin = gathered.origins,
-                      .text = gathered.texts,
+                      .origin = gathered.lines.origins,
+                      .text = gathered.lines.texts,
                       .reason = ""});
 }
 
@@ -536,7 +375,7 @@ void VehicleImport::SetSimDefaults() {
 
 void VehicleImport::Finish() {
   SetGathered(id_, "start", start_);
-  SetThrustMap();
+  thrust_.Finish(TableOf(SettingPlace::kCraft), draft_);
   SetGathered(TableOf(SettingPlace::kReporter), "extra", extra_);
   SetSimDefaults();
   if (drift_.origins.empty()) return;

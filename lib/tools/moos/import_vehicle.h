@@ -14,21 +14,9 @@
 #include "lib/tools/moos/import_settings.h"
 #include "lib/tools/moos/mission_draft.h"
 #include "lib/tools/moos/moos_file.h"
+#include "lib/tools/moos/thrust_import.h"
 
 namespace shoal {
-
-/// `stealth = vname=alpha, stealth=0.8` of uFldNodeComms.
-struct LinkFactorSetting {
-  std::string vehicle;
-  std::string key;    ///< "stealth" or "earange".
-  std::string value;  ///< As TOML.
-};
-
-[[nodiscard]] bool IsLinkFactor(std::string_view moos_key);
-
-/// @pre IsLinkFactor(line.key)
-/// Returns nothing where the value is not vname=NAME, KEY=NUMBER.
-[[nodiscard]] std::optional<LinkFactorSetting> ParseLinkFactor(const MoosLine& line);
 
 /// A behavior of the kind timer that sets a variable.
 struct ScriptTimer {
@@ -95,25 +83,17 @@ class VehicleImport {
   /// A key of the mission file made of several lines.
   struct Gathered {
     std::map<std::string, std::string> members;
-    std::string origins;
-    std::string texts;
+    DraftOrigins lines;
   };
 
   void SetFirstValue(const std::string& name, const std::string& value, const std::string& origins);
-  static void Gather(const std::string& origin, const MoosLine& line, Gathered* gathered);
   bool TakeSim(std::string_view key, const std::string& origin, const MoosLine& line,
                std::vector<std::string>* warnings);
   bool TakeStart(const std::string& origin, const MoosLine& line,
                  std::vector<std::string>* warnings);
-  bool TakeThrustMap(const std::string& origin, const MoosLine& line);
-  bool TakeThrustFactor(const std::string& origin, const MoosLine& line);
   bool TakeDrift(std::string_view key, const std::string& origin, const MoosLine& line);
-  bool TakeMaxSpeed(const std::string& origin, const MoosLine& line);
   bool TakeDomain(const std::string& origin, const MoosLine& line,
                   std::vector<std::string>* warnings);
-  void ReplaceThrust(const std::string& origin, const MoosLine& line);
-  void LimitThrustMap();
-  void SetThrustMap();
   void SetSimDefaults();
   bool TakeNoLimit(std::string_view key, const std::string& origin, const MoosLine& line);
   void SetGathered(const std::string& table, std::string key, const Gathered& gathered);
@@ -128,12 +108,9 @@ class VehicleImport {
   MissionDraft* draft_ = nullptr;
   Gathered start_;
   Gathered extra_;
-  Gathered drift_;
+  DraftOrigins drift_;
   Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();
-  std::map<double, double> thrust_map_;  ///< Speeds by thrust in per cent.
-  Gathered thrust_;                      ///< Its lines.
-  std::optional<double> max_speed_mps_;
-  Gathered limit_;               ///< Its line.
+  ThrustImport thrust_;
   bool has_sim_ = false;         ///< Its file has a block of uSimMarine.
   std::string station_origins_;  ///< Of the button that deploys and leaves STATION_KEEP alone.
 };

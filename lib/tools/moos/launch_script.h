@@ -9,26 +9,10 @@
 // gives none and is named.
 #pragma once
 
-#include <string>
-#include <vector>
-
-#include "lib/tools/moos/import_buttons.h"
+#include "lib/tools/moos/launch_plan.h"
 #include "lib/tools/moos/nsplug.h"
 
 namespace shoal {
-
-/// One file that is plugged, or that is used as it is.
-struct LaunchFile {
-  std::string source;   ///< "meta_vehicle.moos".
-  std::string target;   ///< "targ_abe.moos"; the source's name where it is used as it is.
-  MoosDefines defines;  ///< What nsplug is given.
-};
-
-struct LaunchPlan {
-  std::vector<LaunchFile> files;
-  std::vector<MoosButton> pokes;   ///< What each line of uPokeDB posts.
-  std::vector<std::string> notes;  ///< "launch.sh:12: ...": what could not be read.
-};
 
 /// Reads a launch script as it is run without arguments. At most 50,000 commands and 8 scripts
 /// within one another.

@@ -42,6 +42,11 @@ size_t TakeLineNumber(std::string* error) {
 
 }  // namespace
 
+void DraftOrigins::Add(const std::string& origin, const std::string& text) {
+  origins += (origins.empty() ? "" : ", ") + origin;
+  texts += (texts.empty() ? "" : ", ") + text;
+}
+
 void MissionDraft::AddTable(std::string id, std::string header, bool is_required) {
   index_.emplace(id, tables_.size());
   tables_.push_back(

@@ -35,6 +35,14 @@ struct DraftLine {
   bool is_essential = false;
 };
 
+/// The lines that one setting is made of.
+struct DraftOrigins {
+  std::string origins;  ///< "a.moos:12, a.moos:14".
+  std::string texts;
+
+  void Add(const std::string& origin, const std::string& text);
+};
+
 class MissionDraft {
  public:
   /// `preamble` is the text before the first table, in lines that begin with '#'.

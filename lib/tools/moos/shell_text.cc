@@ -101,6 +101,12 @@ std::string FirstShellWord(std::string_view text) {
   return std::string(text.substr(0, text.find_first_of(" \t")));
 }
 
+std::string JoinShellWords(const ShellWords& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  return text;
+}
+
 bool MatchesShell(std::string_view pattern, std::string_view text) {
   size_t at = 0;
   size_t star = pattern.npos;

@@ -45,6 +45,9 @@ using ShellWords = std::vector<std::string>;
 /// Cuts a value at blanks, whatever quotes are in it.
 [[nodiscard]] ShellWords AtShellBlanks(std::string_view text);
 
+/// Returns the words with a blank between them.
+[[nodiscard]] std::string JoinShellWords(const ShellWords& words);
+
 /// Returns true where a pattern with '*' and '?' is the whole text.
 [[nodiscard]] bool MatchesShell(std::string_view pattern, std::string_view text);
 

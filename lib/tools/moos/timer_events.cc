@@ -15,7 +15,7 @@
 #include "lib/mission/toml/table_writer.h"
 #include "lib/run/moos_text/node_message_text.h"
 #include "lib/run/moos_text/numbers.h"
-#include "lib/tools/moos/import_vehicle.h"
+#include "lib/tools/moos/link_factor.h"
 
 namespace shoal {
 
