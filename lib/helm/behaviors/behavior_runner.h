@@ -139,4 +139,7 @@ class BehaviorRunner {
 /// Returns all lists of flags of its own kind.
 [[nodiscard]] std::vector<const std::vector<std::string>*> EachOwnFlags(const AnyBehavior& what);
 
+/// Returns the variables that the behavior posts and whose names the mission gives.
+[[nodiscard]] std::vector<std::string> NamedVariables(const AnyBehavior& what);
+
 }  // namespace shoal

@@ -144,6 +144,29 @@ TEST(Spawning, KeepsTheOrderOfTheFile) {
             (std::vector<std::string>{"first", "avd_henry", "copy_", "copy_henry", "last"}));
 }
 
+TEST(Spawning, MakesChasersForContactsThatComeWithinTheirAlertRange) {
+  TestHelm helm;
+  BehaviorOptions& options =
+      helm.Add("cut_", CutRangeOptions{.contact = {.alert_range = 100}, .pwt_outer_dist = 100});
+  options.templating = Templating::kSpawn;
+  options.duration = 2;
+  helm.contacts["henry"] = ContactAt("henry", 150, 0);
+  helm.Tick();
+  EXPECT_FALSE(helm.Has("cut_henry"));
+  helm.contacts["henry"] = ContactAt("henry", 99, 0);
+  helm.Tick();
+  EXPECT_TRUE(helm.Has("cut_henry"));
+  // No distance ends it.
+  helm.contacts["henry"] = ContactAt("henry", 300, 0);
+  helm.Tick();
+  EXPECT_TRUE(helm.Has("cut_henry"));
+  helm.TickFor(3);
+  EXPECT_FALSE(helm.Has("cut_henry"));
+  helm.contacts["henry"] = ContactAt("henry", 99, 0);
+  helm.Tick();
+  EXPECT_TRUE(helm.Has("cut_henry"));
+}
+
 TEST(Spawning, MakesOneBehaviorForEachObstacleInRange) {
   TestHelm helm;
   helm.Add("obs_", AvoidObstacleOptions()).templating = Templating::kSpawn;

@@ -16,6 +16,9 @@ struct ContactOptions {
   std::vector<std::string> ignore_group = {};
   std::vector<std::string> match_type = {};
   std::vector<std::string> ignore_type = {};
+  /// m; a recipe makes one for each contact that comes so near; -1: by updates alone. Of kinds that
+  /// do not keep clear.
+  double alert_range = -1;
   /// m; farther above or below, the contact needs no keeping clear of; -1: depth does not count.
   double vertical_separation = 10;
   bool exit_on_filter_group = false;   ///< Ends when the contact's group no longer passes.

@@ -32,7 +32,9 @@ std::optional<AlertRange> AlertRangeOf(const AnyBehavior& what) {
   if (const auto* colregs = std::get_if<ColregsOptions>(&what)) {
     return AlertRange{colregs->pwt_outer_dist, colregs->completed_dist};
   }
-  return std::nullopt;
+  const ContactOptions* options = ContactOptionsOf(what);
+  if (options == nullptr || options->alert_range < 0) return std::nullopt;
+  return AlertRange{options->alert_range, options->alert_range + 1, false};
 }
 
 bool IsAlert(const AlertRange& range, const VesselMotion& own, const VesselMotion& contact) {
@@ -82,7 +84,7 @@ std::string EndReason(const BehaviorOptions& options, const BehaviorOrigin& orig
     return "its contact has left the group";
   }
   const auto range = AlertRangeOf(options.what);
-  if (!range) return {};
+  if (!range || !range->ends) return {};
   const double distance_m = (contact->second.now.position_m - inputs.own.motion.position_m).norm();
   return distance_m >= kCompletedFactor * range->cpa_m ? "its contact is far away" : "";
 }

@@ -11,12 +11,14 @@ namespace shoal {
 
 /// When a contact concerns a behavior, m.
 struct AlertRange {
-  double alert_m = 0;  ///< A contact nearer than this concerns it.
-  double cpa_m = 0;    ///< So does one nearer than this that will come within alert_m.
+  double alert_m = 0;
+  double cpa_m = 0;  ///< Within it, what counts is whether the contact will come within alert_m.
+  bool ends = true;  ///< What was spawned ends where the contact is farther away.
 };
 
 /// Returns the ranges of behaviors that keep clear: alert_m = pwt_outer_dist, cpa_m =
-/// completed_dist. Nothing for others: those are spawned by updates alone.
+/// completed_dist; of others with alert_range that, and a metre more. Nothing for the rest: those
+/// are spawned by updates alone.
 [[nodiscard]] std::optional<AlertRange> AlertRangeOf(const AnyBehavior& what);
 
 /// Returns true where the contact is within cpa_m, and within alert_m or will be where both hold

@@ -38,8 +38,10 @@ std::vector<Eigen::Vector2d> LegRunBehavior::TurnPoints(const Leg& leg, bool fir
 
 void LegRunBehavior::HeadFor(const Leg& leg, const Eigen::Vector2d& position_m) {
   leg_ = leg;
-  capture_.emplace(CaptureRule{.capture_radius_m = options_.capture_radius,
-                               .slip_radius_m = options_.slip_radius},
+  const bool by_radius = !options_.capture_line_only;
+  capture_.emplace(CaptureRule{.capture_radius_m = by_radius ? options_.capture_radius : 0,
+                               .slip_radius_m = by_radius ? options_.slip_radius : 0,
+                               .capture_line = options_.capture_line || !by_radius},
                    leg, position_m);
 }
 

@@ -126,4 +126,28 @@ TEST(LegRun, GoesOnAfterAPauseAndBeginsAnewWithOtherEnds) {
   EXPECT_EQ(run.vessel.Run(run.leg_run).state, "init");
 }
 
+TEST(LegRun, EndsALegPastTheLineThroughItsEndHoweverFarFromIt) {
+  for (const bool has_line : {false, true}) {
+    LegRunOptions options = North();
+    options.capture_line = has_line;
+    TestVessel vessel;
+    LegRunBehavior leg_run(options);
+    (void)vessel.RunAt(leg_run, {0, 0});
+    (void)vessel.RunAt(leg_run, {50, 199});
+    EXPECT_EQ(vessel.Run(leg_run).state, "leg1");
+    EXPECT_EQ(vessel.RunAt(leg_run, {50, 201}).state, has_line ? "turn1" : "leg1");
+  }
+}
+
+TEST(LegRun, CountsNoRadiusWhereTheLineAloneCounts) {
+  LegRunOptions options = North();
+  options.capture_line_only = true;
+  TestVessel vessel;
+  LegRunBehavior leg_run(options);
+  (void)vessel.RunAt(leg_run, {0, -1});
+  (void)vessel.RunAt(leg_run, {0, 1});
+  EXPECT_EQ(vessel.RunAt(leg_run, {0, 199.9}).state, "leg1");
+  EXPECT_EQ(vessel.RunAt(leg_run, {0, 200.1}).state, "turn1");
+}
+
 }  // namespace shoal::leg_run_test

@@ -37,6 +37,29 @@ void EachList(const Options& o, const Each& each) {
   }
 }
 
+/// Calls `each` with each variable whose name the mission gives and that the behavior posts.
+template <class Options, class Each>
+void EachVariable(const Options& o, const Each& each) {
+  if constexpr (requires { o.index_var; }) {
+    const std::string suffix = o.post_suffix.empty() ? "" : "_" + o.post_suffix;
+    for (const std::string* name : {&o.index_var, &o.cycle_var, &o.status_var}) {
+      if (!name->empty()) each(*name + suffix);
+    }
+    each(o.dist_to_next_var);
+    each(o.dist_to_prev_var);
+  }
+  if constexpr (requires { o.depth_mismatch_var; }) each(o.depth_mismatch_var);
+  if constexpr (requires { o.heading_mismatch_var; }) each(o.heading_mismatch_var);
+  if constexpr (requires { o.speed_mismatch_var; }) each(o.speed_mismatch_var);
+  if constexpr (requires { o.radius_rep_var; }) each(o.radius_rep_var);
+  if constexpr (requires { o.depth_slack_var; }) each(o.depth_slack_var);
+  if constexpr (requires { o.speed_slack_var; }) each(o.speed_slack_var);
+  if constexpr (requires { o.pending_status_var; }) {
+    each(o.pending_status_var);
+    each(o.atsurface_status_var);
+  }
+}
+
 }  // namespace
 
 const std::vector<std::string>* OwnFlags(const AnyBehavior& what, std::string_view name) {
@@ -55,6 +78,15 @@ std::vector<const std::vector<std::string>*> EachOwnFlags(const AnyBehavior& wha
   };
   std::visit([&](const auto& options) { EachList(options, add); }, what);
   return lists;
+}
+
+std::vector<std::string> NamedVariables(const AnyBehavior& what) {
+  std::vector<std::string> names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty()) names.push_back(name);
+  };
+  std::visit([&](const auto& options) { EachVariable(options, add); }, what);
+  return names;
 }
 
 }  // namespace shoal

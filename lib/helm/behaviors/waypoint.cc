@@ -117,13 +117,18 @@ void WaypointBehavior::Reconfigure(const WaypointOptions& options) {
 }
 
 BehaviorAnswer WaypointBehavior::Idle(const BehaviorInputs&) {
+  BehaviorAnswer answer;
+  if (state_ == State::kOnTheWay || state_ == State::kDone) {
+    Post(answer, options_.dist_to_next_var, -1);
+    Post(answer, options_.dist_to_prev_var, -1);
+  }
   diversion_.Forget();
   if (state_ == State::kDone || options_.reset_on_idle) {
     state_ = State::kNew;
   } else if (state_ == State::kOnTheWay) {
     state_ = State::kPaused;
   }
-  return {};
+  return answer;
 }
 
 void WaypointBehavior::ArrangePoints(const Eigen::Vector2d& position_m) {
@@ -172,7 +177,7 @@ void WaypointBehavior::Advance(const Eigen::Vector2d& position_m, BehaviorAnswer
   const bool goes_on = rounds_.Pass(options_.repeat + 1);
   if (is_round) {
     answer.flags.emplace_back("cycleflag");
-    Post(answer, "CYCLE_INDEX", rounds_.num_rounds(), options_.post_suffix);
+    Post(answer, options_.cycle_var, rounds_.num_rounds(), options_.post_suffix);
     ArrangePoints(position_m);
   }
   if (goes_on) {
@@ -227,11 +232,14 @@ void WaypointBehavior::Report(const BehaviorInputs& inputs, double distance_m,
   const std::string index = std::to_string(rounds_.index());
   const double speed_mps = inputs.own.motion.speed_mps;
   const std::string eta = speed_mps > 0 ? Whole(distance_m / speed_mps) : "-1";
-  Post(answer, "WPT_INDEX", static_cast<double>(rounds_.index()), options_.post_suffix);
-  Post(answer, "WPT_STAT",
+  Post(answer, options_.index_var, static_cast<double>(rounds_.index()), options_.post_suffix);
+  Post(answer, options_.status_var,
        "index=" + index + ",hits=" + std::to_string(rounds_.num_reached()) + ",cycles=" +
            std::to_string(rounds_.num_rounds()) + ",dist=" + Whole(distance_m) + ",eta=" + eta,
        options_.post_suffix);
+  const double from_prev_m = (inputs.own.motion.position_m - capture_->leg().from_m).norm();
+  Post(answer, options_.dist_to_next_var, distance_m);
+  Post(answer, options_.dist_to_prev_var, rounds_.num_reached() > 0 && has_leg_ ? from_prev_m : -1);
   answer.state = "point " + index + " of " + std::to_string(points_m_.size());
 }
 

@@ -47,12 +47,17 @@ struct WaypointOptions {
   double end_speed = -1;                    ///< m/s at the last point; -1: off.
   double end_slow_dist = 0;                 ///< m; begins to slow down.
   double end_stop_dist = 0;                 ///< m; has end_speed.
-  std::string post_suffix = {};             ///< Behind the names of what it posts.
+  std::string post_suffix = {};             ///< Behind the names of these three.
+  std::string index_var = "WPT_INDEX";      ///< Names of what it posts; empty: it does not.
+  std::string cycle_var = "CYCLE_INDEX";
+  std::string status_var = "WPT_STAT";
+  std::string dist_to_next_var = {};  ///< Metres to its point; -1 while it does not run.
+  std::string dist_to_prev_var = {};  ///< Metres to the point before; -1: there is none yet.
 
   bool operator==(const WaypointOptions&) const = default;
 };
 
-/// Posts WPT_INDEX, CYCLE_INDEX and WPT_STAT, each with post_suffix.
+/// Posts WPT_INDEX, CYCLE_INDEX and WPT_STAT, each with post_suffix, and distances to its points.
 ///
 ///   new  --- first iteration --->  on the way  --- last point of the last round --->  done
 ///    ^                              |      ^                                           |

@@ -212,6 +212,34 @@ TEST(Waypoint, PostsUnderNamesWithItsSuffix) {
             VariableValue("index=0,hits=0,cycles=0,dist=100,eta=-1"));
 }
 
+TEST(Waypoint, PostsUnderTheNamesThatItIsGiven) {
+  TestVessel vessel;
+  WaypointBehavior waypoint(
+      {.points = kTwo, .speed = 1, .index_var = "LEG", .cycle_var = "ROUND", .status_var = ""});
+  (void)vessel.RunAt(waypoint, kTwo[0]);
+  EXPECT_EQ(PostOf(vessel.RunAt(waypoint, {50, 100}), "LEG"), VariableValue(1.0));
+  const BehaviorAnswer answer = vessel.RunAt(waypoint, kTwo[1]);
+  EXPECT_EQ(PostOf(answer, "ROUND"), VariableValue(1.0));
+  EXPECT_EQ(PostOf(answer, "WPT_STAT"), VariableValue());
+}
+
+TEST(Waypoint, PostsTheDistancesToItsPointAndToTheOneBefore) {
+  TestVessel vessel;
+  WaypointBehavior waypoint(
+      {.points = kTwo, .speed = 1, .dist_to_next_var = "NEXT", .dist_to_prev_var = "PREV"});
+  const BehaviorAnswer first = vessel.RunAt(waypoint, {0, 60});
+  EXPECT_EQ(PostOf(first, "NEXT"), VariableValue(40.0));
+  EXPECT_EQ(PostOf(first, "PREV"), VariableValue(-1.0));
+  (void)vessel.RunAt(waypoint, kTwo[0]);
+  const BehaviorAnswer second = vessel.RunAt(waypoint, {30, 100});
+  EXPECT_EQ(PostOf(second, "NEXT"), VariableValue(70.0));
+  EXPECT_EQ(PostOf(second, "PREV"), VariableValue(30.0));
+  const BehaviorAnswer idle = waypoint.Idle(vessel.Inputs());
+  EXPECT_EQ(PostOf(idle, "NEXT"), VariableValue(-1.0));
+  EXPECT_EQ(PostOf(idle, "PREV"), VariableValue(-1.0));
+  EXPECT_EQ(waypoint.Idle(vessel.Inputs()).posts.size(), 0u);
+}
+
 TEST(Waypoint, WaitsWithoutPoints) {
   TestVessel vessel;
   WaypointBehavior waypoint({.points = {}, .speed = 1});

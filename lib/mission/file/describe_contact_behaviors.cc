@@ -30,6 +30,12 @@ void Describe(Fields& fields, ContactOptions& options, bool is_recipe) {
   fields.NoKey("use_refinery", "decisions are exact without it");
 }
 
+/// Of the kinds that do not keep clear.
+void DescribeWithAlerts(Fields& fields, ContactOptions& options, bool is_recipe) {
+  Describe(fields, options, is_recipe);
+  OrOff(fields, "alert_range", options.alert_range, kFarthest_m);
+}
+
 /// What avoid_collision and colregs share.
 template <class Options>
 void Avoidance(Fields& fields, Options& o, bool is_recipe) {
@@ -111,7 +117,7 @@ void DescribeKind(Fields& fields, AvoidObstacleOptions& o, bool is_recipe) {
 }
 
 void DescribeKind(Fields& fields, TrailOptions& o, bool is_recipe) {
-  Describe(fields, o.contact, is_recipe);
+  DescribeWithAlerts(fields, o.contact, is_recipe);
   fields.Number("trail_range", o.trail_range, kDistanceRange);
   fields.Number("trail_angle", o.trail_angle, Between(-360, 360));
   OneWordOf(fields, "trail_angle_type", o.trail_angle_type, {"relative", "absolute"});
@@ -124,7 +130,7 @@ void DescribeKind(Fields& fields, TrailOptions& o, bool is_recipe) {
 }
 
 void DescribeKind(Fields& fields, CutRangeOptions& o, bool is_recipe) {
-  Describe(fields, o.contact, is_recipe);
+  DescribeWithAlerts(fields, o.contact, is_recipe);
   fields.Number("pwt_outer_dist", o.pwt_outer_dist, Above(0, kFarthest_m));
   fields.Number("pwt_inner_dist", o.pwt_inner_dist, kDistanceRange);
   fields.Number("giveup_dist", o.giveup_dist, kDistanceRange);
@@ -139,7 +145,7 @@ void DescribeKind(Fields& fields, CutRangeOptions& o, bool is_recipe) {
 }
 
 void DescribeKind(Fields& fields, ConvoyOptions& o, bool is_recipe) {
-  Describe(fields, o.contact, is_recipe);
+  DescribeWithAlerts(fields, o.contact, is_recipe);
   fields.Number("range", o.range, Above(0, kFarthest_m));
   fields.Number("radius", o.radius, Above(0, 10'000));
   fields.Number("nm_radius", o.nm_radius, Above(0, 10'000));
@@ -149,7 +155,7 @@ void DescribeKind(Fields& fields, ConvoyOptions& o, bool is_recipe) {
 }
 
 void DescribeKind(Fields& fields, ShadowOptions& o, bool is_recipe) {
-  Describe(fields, o.contact, is_recipe);
+  DescribeWithAlerts(fields, o.contact, is_recipe);
   fields.Number("pwt_outer_dist", o.pwt_outer_dist, kDistanceRange);
   fields.Number("heading_peakwidth", o.heading_peakwidth, kDegreesRange);
   fields.Number("heading_basewidth", o.heading_basewidth, kDegreesRange);

@@ -69,6 +69,16 @@ void DescribeKind(Fields& fields, WaypointOptions& o, bool is_recipe) {
   fields.Number("end_slow_dist", o.end_slow_dist, kDistanceRange);
   fields.Number("end_stop_dist", o.end_stop_dist, kDistanceRange);
   fields.Text("post_suffix", o.post_suffix, {});
+  VariableName(fields, "index_var", o.index_var);
+  VariableName(fields, "cycle_var", o.cycle_var);
+  VariableName(fields, "status_var", o.status_var);
+  VariableName(fields, "dist_to_next_var", o.dist_to_next_var);
+  VariableName(fields, "dist_to_prev_var", o.dist_to_prev_var);
+  fields.CalledElsewhere("index_var", "wpt_index_var");
+  fields.CalledElsewhere("cycle_var", "cycle_index_var");
+  fields.CalledElsewhere("status_var", "wpt_status_var");
+  fields.CalledElsewhere("dist_to_next_var", "wpt_dist_to_next");
+  fields.CalledElsewhere("dist_to_prev_var", "wpt_dist_to_prev");
   fields.CalledElsewhere("points", "polygon");
   fields.CalledElsewhere("end_speed", "end_spd");
   fields.CalledElsewhere("cycleflag", "cycle_flag");
@@ -145,6 +155,8 @@ void DescribeKind(Fields& fields, LegRunOptions& o, bool is_recipe) {
   OneWordOf(fields, "turn1_dir", o.turn1_dir, {"auto", "port", "starboard"});
   OneWordOf(fields, "turn2_dir", o.turn2_dir, {"auto", "port", "starboard"});
   Capture(fields, "capture_radius", o.capture_radius, o.slip_radius);
+  fields.Flag("capture_line", o.capture_line);
+  fields.Flag("capture_line_only", o.capture_line_only);
   Lead(fields, o.lead, o.lead_damper, o.return_angle);
   Patience(fields, o.patience);
   fields.SmallInteger("repeat", o.repeat, -1, 1'000'000);

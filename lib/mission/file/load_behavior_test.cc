@@ -349,6 +349,25 @@ message = {src_node = "alpha", dest_node = "all", var_name = "E", double_val = 1
             "");
 }
 
+TEST(BehaviorWarnings, KnowVariablesThatBehaviorsPostUnderNamesOfTheMission) {
+  EXPECT_EQ(WarningsAfter(R"toml([[vehicle.behavior]]
+kind = "waypoint"
+name = "leg"
+points = [[0, 0], [100, 0]]
+speed = 1
+post_suffix = "A"
+index_var = "PLACE"
+dist_to_next_var = "TO_GO"
+dist_to_prev_var = "GONE"
+[[vehicle.behavior]]
+kind = "constant_speed"
+speed = 1
+speed_mismatch_var = "OFF"
+condition = ["PLACE_A > 0", "TO_GO < 25", "GONE > 20", "OFF < 1"]
+)toml"),
+            "");
+}
+
 TEST(BehaviorWarnings, NameVariablesThatOnlyBeginAsReportedOnes) {
   for (const char* name : {"NAV_YAW", "NAV_SPEED_OVER_GROUND", "WPT_DIST_TO_NEXT"}) {
     const std::string warnings =

@@ -173,6 +173,8 @@ class SetVariables {
       }
     }
     if (behavior.duration && is_own) names_.insert(behavior.duration_status);
+    if (!is_own) return;
+    for (std::string& name : NamedVariables(behavior.what)) names_.insert(std::move(name));
   }
 
   std::set<std::string> names_;

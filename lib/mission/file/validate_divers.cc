@@ -35,7 +35,8 @@ void WarnOfDivers(const Mission& mission, const TablePlace& file) {
     const double own_m = DeepestOf_m(vehicle);
     for (size_t k = 0; k < vehicle.behaviors.size(); ++k) {
       const BehaviorOptions& behavior = vehicle.behaviors[k];
-      if (!AlertRangeOf(behavior.what)) continue;
+      const auto range = AlertRangeOf(behavior.what);
+      if (!range || !range->ends) continue;  // It does not keep clear.
       const double separation_m = ContactOptionsOf(behavior.what)->vertical_separation;
       std::vector<std::string> names;
       for (const Vehicle& other : mission.vehicles) {

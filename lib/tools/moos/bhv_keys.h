@@ -19,9 +19,10 @@ enum class BhvValue {
   kInteger,
   kFlag,
   kText,
-  kWord,   ///< A text in lower case.
-  kTexts,  ///< One text of a list for each line.
-  kNames,  ///< A list of texts, separated by ',' or ':'.
+  kWord,    ///< A text in lower case.
+  kPosted,  ///< The name of a variable that the behavior posts; "silent": none.
+  kTexts,   ///< One text of a list for each line.
+  kNames,   ///< A list of texts, separated by ',' or ':'.
   kNumbers,
   kPoints,  ///< [[x, y], ...].
   kPoint,   ///< [x, y].
@@ -41,6 +42,8 @@ struct BhvLostKey {
   std::string_view moos_key;
   std::string_view reason;
   bool is_loss;  ///< True: worth a warning.
+  /// The value is a variable that is not posted here: a loss where a condition reads it.
+  bool names_variable = false;
 };
 
 /// Returns the kind for "BHV_AvdColregsV22"; empty: there is none.

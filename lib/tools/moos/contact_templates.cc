@@ -26,7 +26,7 @@ std::string WithContact(std::string text, const std::string& contact, bool is_co
 
 }  // namespace
 
-bool NeedsOneForEach(const BhvBlock& block) {
+bool AsksForAlerts(const BhvBlock& block) {
   const std::string_view kind = KindOfBhv(block.type);
   if (!IsContactKind(kind)) return false;
   bool is_template = false;
@@ -42,6 +42,10 @@ bool NeedsOneForEach(const BhvBlock& block) {
     if (key == "no_alert_request" && !has_alerts) needs = word == "false";
   }
   return is_template && needs && has_updates;
+}
+
+bool NeedsOneForEach(const BhvBlock& block) {
+  return KindOfBhv(block.type) != "cut_range" && AsksForAlerts(block);
 }
 
 std::vector<BhvBlock> OneForEach(const BhvBlock& block, const std::vector<std::string>& contacts) {

@@ -10,8 +10,10 @@
 
 namespace shoal {
 
-/// True for a template whose behaviors shoal does not spawn as MOOS-IvP does: with alerts for a
-/// kind that is spawned by updates alone.
+/// Returns true for a template of a kind that does not keep clear and asks for alerts.
+[[nodiscard]] bool AsksForAlerts(const BhvBlock& block);
+
+/// Returns true for such a template where MOOS-IvP has no range for its alerts.
 [[nodiscard]] bool NeedsOneForEach(const BhvBlock& block);
 
 /// Returns a template as one behavior for each contact, instead of one that is spawned.

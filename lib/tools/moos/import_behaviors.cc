@@ -141,6 +141,18 @@ std::vector<Item> Bounded(std::vector<Item> items, std::string_view what, BhvImp
   return items;
 }
 
+/// Collects the words of all lines of a file.
+void CollectWords(const BhvFile& file, std::set<std::string, std::less<>>* words) {
+  for (const MoosLine& line : file.initials) CollectVariables(line.text, words);
+  for (const BhvMode& mode : file.modes) {
+    CollectVariables(mode.variable, words);
+    for (const MoosLine& line : mode.conditions) CollectVariables(line.text, words);
+  }
+  for (const BhvBlock& block : file.behaviors) {
+    for (const MoosLine& line : block.lines) CollectVariables(line.text, words);
+  }
+}
+
 }  // namespace
 
 BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contacts) {
@@ -149,6 +161,7 @@ BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contac
   file.initials = Bounded(std::move(file.initials), "variables", &import);
   file.modes = Bounded(std::move(file.modes), "modes", &import);
   file.behaviors = Bounded(std::move(file.behaviors), "behaviors", &import);
+  CollectWords(file, &import.words);
   BhvTable variables = ImportVariables(file, &import);
   for (const BhvMode& mode : file.modes) ImportMode(mode, &import);
   for (const BhvBlock& block : file.behaviors) {
@@ -164,6 +177,11 @@ BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contac
                     "other vehicle",
                     block.origin, block.type));
     import.lost.push_back(import.warnings.back());
+  }
+  for (const UnpostedVariable& each : import.unposted) {
+    if (!import.condition_variables.contains(each.variable)) continue;
+    import.warnings.push_back(
+        fmt::format("{}: is not posted here, and a condition reads it", each.line));
   }
   SetNamesApart(&import.tables);
   AddOrderVariables(import, &variables);

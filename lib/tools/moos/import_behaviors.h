@@ -18,6 +18,12 @@ struct BhvTable {
   std::vector<DraftLine> lines;
 };
 
+/// A variable that a behavior of MOOS-IvP posts under a name of the file, and shoal's does not.
+struct UnpostedVariable {
+  std::string variable;
+  std::string line;  ///< "a.bhv:12: KEY = VARIABLE".
+};
+
 struct BhvImport {
   std::vector<BhvTable> tables;
   std::vector<std::string> warnings;  ///< "a.bhv:12: TEXT: REASON".
@@ -26,6 +32,8 @@ struct BhvImport {
   /// effect. In the letters of the file.
   std::set<std::string, std::less<>> variables;
   std::set<std::string, std::less<>> condition_variables;  ///< Those of conditions alone.
+  std::set<std::string, std::less<>> words;  ///< All that may be a variable, in any line.
+  std::vector<UnpostedVariable> unposted;
   size_t num_behaviors = 0;
 };
 

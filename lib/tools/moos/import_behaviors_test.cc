@@ -381,16 +381,64 @@ TEST(ImportMoos, GivesABehaviorAnotherNameWhereAnothersBeginsWithIt) {
   EXPECT_NE(import.mission.find("another behavior's name begins with it"), std::string::npos);
 }
 
-TEST(ImportMoos, WarnsOfDistancesThatAWaypointDoesNotPost) {
+TEST(ImportMoos, LetsAWaypointPostUnderTheNamesOfItsFile) {
   const MoosImport import = ImportMoos(std::vector<MoosSource>{
       {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},
       {.name = "ida.bhv",
        .text = "Behavior = BHV_Waypoint\n{\nname = leg\nspeed = 1\npoints = 0,0\n"
-               "wpt_dist_to_prev = BEHIND\nwpt_dist_to_next = AHEAD\n}\n"}});
-  constexpr char kReason[] = ": not posted: WPT_STAT has dist=, to the next point";
-  EXPECT_EQ(import.warnings, (std::vector<std::string>{
-                                 "ida.bhv:6: wpt_dist_to_prev = BEHIND" + std::string(kReason),
-                                 "ida.bhv:7: wpt_dist_to_next = AHEAD" + std::string(kReason)}));
+               "wpt_dist_to_prev = BEHIND\nwpt_dist_to_next = AHEAD\nwpt_index_var = PLACE\n"
+               "wpt_status = Silent\n}\n"
+               "Behavior = BHV_ConstantSpeed\n{\nname = slow\nspeed = 1\nduration = 9\n"
+               "condition = (AHEAD < 20) or (BEHIND < 20)\n}\n"}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  const LoadedMission loaded = LoadMissionText(import.mission, "m.toml");
+  const auto& leg = std::get<WaypointOptions>(loaded.mission.vehicles.front().behaviors[0].what);
+  EXPECT_EQ(leg.dist_to_prev_var, "BEHIND");
+  EXPECT_EQ(leg.dist_to_next_var, "AHEAD");
+  EXPECT_EQ(leg.index_var, "PLACE");
+  EXPECT_EQ(leg.status_var, "");
+}
+
+TEST(ImportMoos, WarnsOfAVariableThatIsNotPostedOnlyWhereAConditionReadsIt) {
+  for (const bool is_read : {false, true}) {
+    const MoosImport import = ImportMoos(std::vector<MoosSource>{
+        {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},
+        {.name = "ida.bhv",
+         .text = "initialize GO = true\nBehavior = BHV_OpRegion\n{\nname = region\n"
+                 "polygon = 0,0:9,0:9,9\ntime_remaining_var = LEFT\n}\n"
+                 "Behavior = BHV_Waypoint\n{\nname = leg\nspeed = 1\npoints = 0,0\n"
+                 "condition = " +
+                 std::string(is_read ? "LEFT" : "GO") + " != 0\n}\n"}});
+    EXPECT_EQ(import.warnings,
+              is_read ? std::vector<std::string>({"ida.bhv:6: time_remaining_var = LEFT: is not "
+                                                  "posted here, and a condition reads it"})
+                      : std::vector<std::string>());
+  }
+}
+
+TEST(ImportMoos, CountsDepthsThatAreReachedAsMoosIvPDoes) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos",
+       .text = "Community = ida\nProcessConfig = pNodeReporter\n{\nplatform_type = auv\n}\n"},
+      {.name = "ida.bhv",
+       .text = "Behavior = BHV_GoToDepth\n{\nname = dive\ndepth = 40,60:30,45\n"
+               "arrival_flag = THERE\n}\n"}});
+  const LoadedMission loaded = LoadMissionText(import.mission, "m.toml");
+  const auto& dive = std::get<GoToDepthOptions>(loaded.mission.vehicles.front().behaviors[0].what);
+  EXPECT_EQ(dive.capture_flag, std::vector<std::string>{"GTD_THERE = $[CTR]"});
+}
+
+TEST(ImportMoos, TakesTheCaptureLineOfALegRun) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},
+      {.name = "ida.bhv",
+       .text = "Behavior = BHV_LegRun\n{\nname = legs\nvx1 = 0,0\nvx2 = 90,0\nspeed = 1\n"
+               "turn_rad = 20\ncapture_line = absolute\n}\n"}});
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  const LoadedMission loaded = LoadMissionText(import.mission, "m.toml");
+  const auto& legs = std::get<LegRunOptions>(loaded.mission.vehicles.front().behaviors[0].what);
+  EXPECT_TRUE(legs.capture_line);
+  EXPECT_TRUE(legs.capture_line_only);
 }
 
 TEST(ImportMoos, LimitsThePatienceOfCutRangeAsMoosIvpDoes) {

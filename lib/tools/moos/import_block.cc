@@ -22,6 +22,7 @@
 #include "lib/tools/moos/bhv_points.h"
 #include "lib/tools/moos/bhv_settings.h"
 #include "lib/tools/moos/bhv_text.h"
+#include "lib/tools/moos/contact_templates.h"
 
 namespace shoal {
 namespace {
@@ -55,6 +56,8 @@ void ImportUnknown(const BhvBlock& block, BhvImport* import) {
 std::string TomlPoint(const Eigen::Vector2d& point_m) {
   return fmt::format("[{}, {}]", TomlNumber(point_m.x()), TomlNumber(point_m.y()));
 }
+
+bool IsCaptureFlag(std::string_view key) { return key == "capture_flag" || key == "arrival_flag"; }
 
 class BlockImporter {
  public:
@@ -119,6 +122,10 @@ class BlockImporter {
     if (TakeSpecial(line, key, value)) return;
     if (const BhvKey* row = FindBhvKey(kind_, key)) return TakeRow(*row, line, value);
     if (const BhvLostKey* lost = FindLostBhvKey(kind_, key)) {
+      if (lost->names_variable) {
+        import_.unposted.push_back({.variable = std::string(value),
+                                    .line = fmt::format("{}: {}", line.origin, line.text)});
+      }
       return Remark(line, std::string(lost->reason), lost->is_loss);
     }
     Remark(line, fmt::format("no key of {} in shoal", kind_), true);
@@ -142,7 +149,7 @@ class BlockImporter {
       TakeNostarve(line, value);
     } else if (is_template_ && IsOfOneSpawned(key)) {
       Remark(line, "filled in when one is spawned", false);
-    } else if (kind_ == "waypoint" && key == "capture_line") {
+    } else if ((kind_ == "waypoint" || kind_ == "leg_run") && key == "capture_line") {
       TakeCaptureLine(line, word);
     } else if ((kind_ == "waypoint" || kind_ == "leg_run") && key == "repeat") {
       const auto number = NumberIn(value);
@@ -178,6 +185,9 @@ class BlockImporter {
       const auto number = NumberIn(value);
       if (!number) return Refuse(line, "not a number"), true;
       settings_.Set("max_zig_legs", TomlNumber(*number * 2), line, false);
+    } else if (kind_ == "go_to_depth" && IsCaptureFlag(key) && value.find('=') == value.npos) {
+      // MOOS-IvP posts how many depths were reached, with this before the name.
+      settings_.Append("capture_flag", {fmt::format("GTD_{} = $[CTR]", value)}, line, false);
     } else if (kind_ == "test_failure" && key == "failure_type") {
       TakeFailure(line, word);
     } else {
@@ -246,6 +256,10 @@ class BlockImporter {
                       "turns with 20 m",
                       block_.origin, block_.type));
     }
+    if (kind_ == "cut_range" && AsksForAlerts(block_)) {
+      settings_.Assume("alert_range", TomlNumber(settings_.NumberAt("pwt_outer_dist", 0)),
+                       "As MOOS-IvP's template asks for alerts.");
+    }
     if (kind_ == "max_depth") {
       settings_.Assume("tolerance", "100", "As MOOS-IvP has it where it is not given.");
     }
@@ -313,6 +327,11 @@ class BlockImporter {
       case BhvValue::kText:
         if (key == "updates") import_.variables.emplace(value);
         return settings_.Set(key, TomlString(value), line, row.is_essential);
+      case BhvValue::kPosted: {
+        const bool is_silent = LowerCase(value.substr(0, 8)) == "silent";
+        if (!is_silent) import_.variables.emplace(value);
+        return settings_.Set(key, TomlString(is_silent ? "" : value), line, row.is_essential);
+      }
       case BhvValue::kWord: {
         std::string word = LowerCase(value.substr(0, 64));
         if (word == "star") word = "starboard";

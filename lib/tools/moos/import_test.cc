@@ -650,18 +650,21 @@ TEST(ImportMoos, MakesATemplateAboutContactsOneBehaviorForEachOtherVehicle) {
   EXPECT_EQ(std::get<TrailOptions>(ida.behaviors[0].what).contact.contact, "jon");
 }
 
-TEST(ImportMoos, MakesACutRangeForEachOtherVehicleByDefault) {
+TEST(ImportMoos, LetsACutRangeTemplateBeginWhatItsAlertsAskFor) {
   for (const bool is_off : {false, true}) {
     const MoosImport import = ImportMoos(
         std::vector<MoosSource>{
             {.name = "v.moos", .text = std::string(kHelmMoos)},
             {.name = "v.bhv",
-             .text = "Behavior = BHV_CutRange\n{\nname = cut_\ntemplating = spawn\nupdates = C\n" +
+             .text = "Behavior = BHV_CutRange\n{\nname = cut_\ntemplating = spawn\nupdates = C\n"
+                     "duration = 10\npwt_outer_dist = 80\n" +
                      std::string(is_off ? "no_alert_request = true\n" : "") + "}\n"}},
         {.defines = {}, .vehicles = {{{"VNAME", "ida"}}, {{"VNAME", "jon"}}}, .find = {}});
     const shoal::Vehicle ida = Loaded(import).mission.vehicles.at(0);
     ASSERT_EQ(ida.behaviors.size(), 1U);
-    EXPECT_EQ(ida.behaviors[0].name, is_off ? "cut_" : "cut_jon");
+    EXPECT_EQ(ida.behaviors[0].templating, Templating::kSpawn);
+    const auto& cut_range = std::get<CutRangeOptions>(ida.behaviors[0].what);
+    EXPECT_EQ(cut_range.contact.alert_range, is_off ? -1 : 80);
   }
 }
 
