@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string_view>
 #include <utility>
@@ -27,6 +28,7 @@
 #include "lib/tools/moos/import_vehicle.h"
 #include "lib/tools/moos/mission_draft.h"
 #include "lib/tools/moos/moos_file.h"
+#include "lib/vehicle/vehicle/collision_watch.h"
 
 namespace shoal {
 namespace {
@@ -50,7 +52,7 @@ class Importer {
     fleet_.Name(files, &losses_);
     ReadBehaviors();
     posts_.Read(files, &fleet_);
-    scripts_.Read(files, &fleet_);
+    scripts_.Read(files, posts_, options_.pokes, &fleet_, &losses_);
     for (VehicleImport& vehicle : vehicles) vehicle.AddTables(&draft);
     for (VehicleImport& vehicle : vehicles) vehicle.AddEvents();
     if (options_.deploys) AddDeployment(&draft);
@@ -69,11 +71,13 @@ class Importer {
     for (std::string& refused : draft.MakeLoadable()) losses_.Warn(std::move(refused));
     const auto is_imported = [](const VehicleImport& vehicle) { return vehicle.is_imported(); };
     const auto num_vehicles = std::count_if(vehicles.begin(), vehicles.end(), is_imported);
-    std::string text = draft.Text();
-    const LoadedMission loaded = LoadMissionText(text, "draft");
+    LoadedMission loaded = LoadMissionText(draft.Text(), "draft");
+    if (loaded.errors.empty() && LetsStartsTouch(loaded.mission)) {
+      loaded = LoadMissionText(draft.Text(), "draft");
+    }
     std::vector<VehicleOutlook> outlooks;
     if (loaded.errors.empty()) outlooks = OutlooksOf(loaded.mission);
-    return {.mission = std::move(text),
+    return {.mission = draft.Text(),
             .warnings = std::move(losses_.warnings()),
             .lost = std::move(losses_.lost()),
             .outlooks = std::move(outlooks),
@@ -119,8 +123,30 @@ class Importer {
     }
   }
 
+  /// Vessels that touch each other where they start are no failure in MOOS-IvP. Returns false where
+  /// there are none.
+  bool LetsStartsTouch(const Mission& mission) {
+    std::vector<double> lengths_m;
+    std::vector<Eigen::Vector3d> positions_m;
+    std::vector<uint32_t> all;
+    for (const Vehicle& vehicle : mission.vehicles) {
+      all.push_back(static_cast<uint32_t>(all.size()));
+      lengths_m.push_back(vehicle.length_m);
+      positions_m.emplace_back(vehicle.start.x_m, vehicle.start.y_m, vehicle.start.depth_m);
+    }
+    CollisionWatch watch(lengths_m);
+    const auto touching = watch.Look(all, positions_m);
+    if (touching.empty() || mission.collisions == CollisionVerdict::kAllowed) return false;
+    Assume(kMission, "collisions", TomlString("allowed"),
+           fmt::format("Assumed: {} starts {:.2f} m from {}.",
+                       mission.vehicles[touching.front().second].name, touching.front().range_m,
+                       mission.vehicles[touching.front().first].name));
+    return true;
+  }
+
   void AddObstacles(MissionDraft* draft) {
     for (const MoosFile& file : sources_.files()) obstacles_.Add(file, draft);
+    obstacles_.AddPoints(scripts_.Points(sources_.files()), sources_.files(), draft);
     for (const std::string& warning : obstacles_.warnings()) losses_.Warn(warning);
   }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -13,9 +14,13 @@
 #include "lib/mission/toml/table_writer.h"
 #include "lib/tools/moos/bhv_points.h"
 #include "lib/tools/moos/import_settings.h"
+#include "lib/tools/moos/point_cluster.h"
 
 namespace shoal {
 namespace {
+
+constexpr size_t kMostObstacles = 1'000;
+constexpr size_t kLongestId = 60;
 
 /// Returns what follows "label=" or "label,".
 std::string LabelOf(std::string_view text) {
@@ -25,7 +30,7 @@ std::string LabelOf(std::string_view text) {
   text.remove_prefix(at + kLabel.size());
   if (text[0] != '=' && text[0] != ',') return {};
   text.remove_prefix(1);
-  return std::string(Trimmed(text.substr(0, text.find_first_of(",:}\"")))).substr(0, 60);
+  return std::string(Trimmed(text.substr(0, text.find_first_of(",:}\"")))).substr(0, kLongestId);
 }
 
 /// Returns the polygon of `var=KNOWN_OBSTACLE_ALL, val="pts={...},label=a", time=5`; nothing for
@@ -90,7 +95,6 @@ void ObstacleImport::AddFile(const MoosLine& line, const std::string& from, Miss
 }
 
 void ObstacleImport::AddOne(const MoosLine& line, const std::string& value, MissionDraft* draft) {
-  constexpr size_t kMostObstacles = 1'000;
   if (!lines_.insert(line.origin).second) return;  // Of several vehicles' files.
   const auto polygon = ParseBhvPolygon(value);
   if (!polygon.ok() || polygon->points_m.size() < 3) {
@@ -98,10 +102,14 @@ void ObstacleImport::AddOne(const MoosLine& line, const std::string& value, Miss
                                     polygon.ok() ? "fewer than three corners" : polygon.error()));
     return;
   }
+  AddTable(LabelOf(value), TomlPoints(polygon->points_m),
+           {.key = "", .value = "", .origin = line.origin, .text = line.text, .reason = ""}, draft);
+}
+
+void ObstacleImport::AddTable(std::string id, const std::string& corners, const DraftLine& from,
+                              MissionDraft* draft) {
   // The same obstacle that each vehicle's manager is given.
-  const std::string corners = TomlPoints(polygon->points_m);
   if (!corners_.insert(corners).second || corners_.size() > kMostObstacles) return;
-  std::string id = LabelOf(value);
   for (char& c : id) {
     if (!IsNameCharacter(c) && c != '.' && c != '-') c = '_';
   }
@@ -110,16 +118,49 @@ void ObstacleImport::AddOne(const MoosLine& line, const std::string& value, Miss
   for (int i = 2; !ids_.insert(id).second; ++i) id = fmt::format("{}_{}", wanted, i);
   const std::string table = "obstacle " + id;
   draft->AddTable(table, "[[obstacle]]");
-  const auto set = [&](std::string key, std::string written, std::string origin) {
+  const auto set = [&](std::string key, std::string written, std::string origin,
+                       std::string reason) {
     draft->Set(table, {.key = std::move(key),
                        .value = std::move(written),
                        .origin = std::move(origin),
-                       .text = line.text,
-                       .reason = "",
+                       .text = from.text,
+                       .reason = std::move(reason),
                        .is_essential = true});
   };
-  set("id", TomlString(id), line.origin);
-  set("polygon", corners, "");
+  set("id", TomlString(id), from.origin, from.reason);
+  set("polygon", corners, "", "");
+}
+
+void ObstacleImport::AddPoints(const std::vector<TimerEvent>& points,
+                               const std::vector<MoosFile>& files, MissionDraft* draft) {
+  const PointCluster settings = ClusterSettings(files);
+  std::map<std::string, PointCluster> clusters;
+  std::vector<std::string> labels;  // In the order of the script.
+  for (const TimerEvent& event : points) {
+    const auto [at, is_new] = clusters.emplace(event.point->label, settings);
+    if (is_new) {
+      labels.push_back(event.point->label);
+      at->second.origin = event.origin;
+      at->second.text = event.text;
+    }
+    std::vector<Eigen::Vector2d>& own_m = at->second.points_m;
+    if (own_m.size() < settings.most_points) own_m.push_back(event.point->position_m);
+  }
+  for (const std::string& label : labels) {
+    const PointCluster& cluster = clusters.at(label);
+    AddTable(label.substr(0, kLongestId), TomlPoints(HullOf(cluster)),
+             {.key = "",
+              .value = "",
+              .origin = cluster.origin,
+              .text = cluster.text,
+              .reason = "Assumed: there from the start, and to the end."},
+             draft);
+  }
+  if (corners_.size() > kMostObstacles) {
+    warnings_.push_back(fmt::format("{}: {}: {} obstacles are left out: {} are the most",
+                                    points.front().origin, points.front().text,
+                                    corners_.size() - kMostObstacles, kMostObstacles));
+  }
 }
 
 }  // namespace shoal

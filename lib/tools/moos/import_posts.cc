@@ -69,6 +69,18 @@ void PostImport::Read(const std::vector<MoosFile>& files, FleetImport* fleet) {
   }
 }
 
+bool PostImport::Sets(std::string_view variable) const {
+  for (const auto& [block, buttons] : buttons_) {
+    for (const MoosButton& button : buttons) {
+      if (deploy_keys_.contains({block, button.key})) continue;
+      for (const auto& [posted, value] : button.posts) {
+        if (posted == variable) return true;
+      }
+    }
+  }
+  return false;
+}
+
 void PostImport::AddOrders(const std::vector<MoosFile>& files, const std::vector<MoosButton>& pokes,
                            FleetImport* fleet, MissionDraft* draft, ImportLosses* losses) {
   for (size_t i = 0; i < files.size(); ++i) {

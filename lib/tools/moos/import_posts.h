@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -20,6 +21,10 @@ class PostImport {
  public:
   /// Gives vehicles what the button that deploys them sets besides. The files outlive this.
   void Read(const std::vector<MoosFile>& files, FleetImport* fleet);
+
+  /// Returns true where a button that does not deploy, or a menu entry, posts the variable.
+  /// @pre Read() was called
+  bool Sets(std::string_view variable) const;
 
   /// Adds an [[order]] for each further button, and for what the launch script pokes.
   void AddOrders(const std::vector<MoosFile>& files, const std::vector<MoosButton>& pokes,

@@ -10,6 +10,7 @@
 
 #include "lib/tools/moos/import_fleet.h"
 #include "lib/tools/moos/import_losses.h"
+#include "lib/tools/moos/import_posts.h"
 #include "lib/tools/moos/import_timer.h"
 #include "lib/tools/moos/mission_draft.h"
 #include "lib/tools/moos/moos_file.h"
@@ -18,9 +19,13 @@ namespace shoal {
 
 class ScriptImport {
  public:
-  /// Reads the scripts; those that wait for what behaviors know become behaviors. The files outlive
-  /// this.
-  void Read(const std::vector<MoosFile>& files, FleetImport* fleet);
+  /// Reads the scripts; those that wait for what behaviors know become behaviors. `pokes`: what the
+  /// launch script posts. The files outlive this.
+  void Read(const std::vector<MoosFile>& files, const PostImport& posts,
+            const std::vector<MoosButton>& pokes, FleetImport* fleet, ImportLosses* losses);
+
+  /// Returns the events that post points of obstacles.
+  std::vector<TimerEvent> Points(const std::vector<MoosFile>& files) const;
 
   /// Adds an [[event]] for each event of a script that has a counterpart; the others are kept.
   /// Returns the time of the last.
@@ -35,6 +40,7 @@ class ScriptImport {
   bool IsBridge(const std::string& origin) const { return bridge_lines_.contains(origin); }
 
  private:
+  void ReadBridges(const std::vector<MoosFile>& files);
   void AddEvent(const TimerEvent& event, MissionDraft* draft);
 
   std::map<const MoosBlock*, TimerScript> scripts_;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/tools/moos/import_names.h"
@@ -14,6 +16,26 @@ namespace shoal {
 namespace {
 
 constexpr char kTemplate[] = "TEMPLATE";  ///< Of --vehicle: which file it is made of.
+
+/// Gives blocks with a name of their own the app that ANTLER runs under it:
+/// `Run = uTimerScript @ NewConsole = false ~ uTimerScript_PING`.
+MoosFile WithAppsOfNames(MoosFile file) {
+  std::map<std::string, std::string> apps;  // By names in lower case.
+  for (const MoosBlock& block : file.blocks) {
+    if (AppClass(block.app) != "antler") continue;
+    for (const MoosLine& line : block.lines) {
+      const size_t tilde = line.value.find('~');
+      if (LowerCase(line.key) != "run" || tilde == line.value.npos) continue;
+      const std::string name = LowerCase(Trimmed(line.value.substr(tilde + 1)));
+      if (!name.empty()) apps.emplace(name, AppNameOfRun(line.value));
+    }
+  }
+  for (MoosBlock& block : file.blocks) {
+    const auto app = apps.find(LowerCase(block.app));
+    if (app != apps.end()) block.app = app->second;
+  }
+  return file;
+}
 
 }  // namespace
 
@@ -37,7 +59,7 @@ ImportSources::ImportSources(std::span<const MoosSource> sources, const MoosImpo
       bhv_sources_.push_back({.source = source, .target = {}, .defines = {}});
       continue;
     }
-    MoosFile file = ParseMoosFile(Plug(source, options.defines, options.find));
+    MoosFile file = WithAppsOfNames(ParseMoosFile(Plug(source, options.defines, options.find)));
     if (options.vehicles.empty() || !DescribesVehicle(file)) {
       files_.push_back(std::move(file));
       defines_.push_back(options.defines);
@@ -47,7 +69,7 @@ ImportSources::ImportSources(std::span<const MoosSource> sources, const MoosImpo
       if (!IsTemplateOf(source, i)) continue;
       MoosDefines defines = options.vehicles[i];
       defines.insert(options.defines.begin(), options.defines.end());
-      files_.push_back(ParseMoosFile(Plug(source, defines, options.find)));
+      files_.push_back(WithAppsOfNames(ParseMoosFile(Plug(source, defines, options.find))));
       defines_.push_back(std::move(defines));
     }
   }
@@ -63,7 +85,7 @@ void ImportSources::AddRuns() {
       bhv_sources_.push_back({.source = run.source, .target = run.target, .defines = defines});
       continue;
     }
-    files_.push_back(ParseMoosFile(Plug(run.source, defines, options_.find)));
+    files_.push_back(WithAppsOfNames(ParseMoosFile(Plug(run.source, defines, options_.find))));
     defines_.push_back(std::move(defines));
   }
 }

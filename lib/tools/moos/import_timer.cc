@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <variant>
 
@@ -24,6 +25,9 @@ namespace {
 
 /// What becomes of a condition.
 constexpr std::string_view kTakenAsHeld = "taken as if it held from the start";
+/// What becomes of a script that is paused.
+constexpr std::string_view kWaits =
+    "the script waits until a message starts it: its events are not taken";
 
 bool IsOverride(std::string_view variable) {
   return variable.starts_with("MOOS_MANUAL_OVERIDE") ||
@@ -34,6 +38,7 @@ bool IsOverride(std::string_view variable) {
 struct EventLine {
   int line = 0;
   std::string origin;
+  std::string text;
   std::string variable;
   std::string value;
   TimeRange time;
@@ -52,8 +57,12 @@ bool IsQuotedValue(std::string_view text) {
 
 EventLine ReadEventLine(const MoosLine& line) {
   constexpr int kMostAmount = 1'000;
-  EventLine event{
-      .line = line.number, .origin = line.origin, .variable = "", .value = "", .time = {}};
+  EventLine event{.line = line.number,
+                  .origin = line.origin,
+                  .text = line.text,
+                  .variable = "",
+                  .value = "",
+                  .time = {}};
   if (LowerCase(line.value) == "quit") {
     event.problem = "a script needs no end here";
     event.is_needless = true;
@@ -100,8 +109,9 @@ struct Script {
   std::optional<double> reset_s;  ///< Nothing: when all are posted.
   double num_resets = 0;
   int reset_line = 0;
-  bool is_paused = false;
-  bool shuffles = true;  ///< Times are drawn again in each round.
+  int pause_line = 0;  ///< Of paused = true; 0: it is not.
+  std::string pause_variable = "UTS_PAUSE";
+  bool shuffles = true;  ///< Times are drawn anew in each round.
 };
 
 Script ReadScript(const MoosBlock& block, TimerScript* result) {
@@ -163,8 +173,11 @@ Script ReadScript(const MoosBlock& block, TimerScript* result) {
       script.shuffles = value != "false";
       result->taken.push_back(line.number);
     } else if (key == "paused" && value == "true") {
-      script.is_paused = true;
-      lose(line, "the script waits until a message starts it: its events are not taken");
+      script.pause_line = line.number;
+      lose(line, std::string(kWaits));
+    } else if (key == "pause_var") {
+      script.pause_variable = line.value;
+      result->taken.push_back(line.number);
     } else if (key == "condition") {
       result->conditions.emplace_back(line.value);
       lose(line, std::string(kTakenAsHeld));
@@ -173,6 +186,13 @@ Script ReadScript(const MoosBlock& block, TimerScript* result) {
     }
   }
   return script;
+}
+
+/// Returns true where an event is one of the mission, or becomes part of something else.
+bool IsAnyTaken(const TimerScript& script) {
+  return std::any_of(script.events.begin(), script.events.end(), [](const TimerEvent& event) {
+    return !event.keys.empty() || event.point || event.drift;
+  });
 }
 
 class ScriptRun {
@@ -209,9 +229,7 @@ class ScriptRun {
       const bool goes_on = round < script_.num_resets && !result->events.empty();
       if (!goes_on || !(length_s > 0)) return;
       if (begin_s <= kLongest_s && result->events.size() < kMostEvents) continue;
-      const bool any = std::any_of(result->events.begin(), result->events.end(),
-                                   [](const TimerEvent& event) { return !event.keys.empty(); });
-      if (!any) return;  // Its events are lost anyway.
+      if (!IsAnyTaken(*result)) return;  // Its events are lost anyway.
       result->losses.emplace_back(
           script_.reset_line,
           fmt::format("the script is repeated: its {} rounds that begin within {:.0f} s are taken",
@@ -249,7 +267,8 @@ class ScriptRun {
       const double clock_s = delay_s + post.time_s;
       if (script_.reset_s && script_.num_resets > 0 && clock_s > *script_.reset_s) continue;
       last_s = std::max(last_s, clock_s);
-      TimerEvent event{.line = post.event->line, .origin = post.event->origin};
+      TimerEvent event{
+          .line = post.event->line, .origin = post.event->origin, .text = post.event->text};
       event.round = round_;
       event.at_s = TimerRounded(begin_s + clock_s / warp);
       event.reason = post.event->problem;
@@ -299,9 +318,16 @@ class ScriptRun {
     ConvertedEvent converted = convert_(variable, value);
     if (auto* keys = std::get_if<EventKeys>(&converted)) {
       event->keys = std::move(*keys);
+    } else if (const auto* point = std::get_if<TrackedPoint>(&converted)) {
+      event->point = *point;
+      event->reason = "[[obstacle]]";
+      event->is_needless = true;
+    } else if (const auto* drift = std::get_if<DriftChange>(&converted)) {
+      event->drift = *drift;
     } else {
       event->reason = std::get<std::string>(converted);
-      event->is_needless = event->reason == kOnlyDraws || event->reason == kOnlySounds;
+      event->is_needless = event->reason == kOnlyDraws || event->reason == kOnlySounds ||
+                           event->reason == kNothingReads;
     }
   }
 
@@ -315,29 +341,76 @@ class ScriptRun {
   int total_ = 0;
 };
 
+/// Gives each change of a drift the keys of the drift that is there then.
+void SumDrifts(const TimerContext& context, TimerScript* script) {
+  std::vector<TimerEvent*> changes;
+  for (TimerEvent& event : script->events) {
+    if (event.drift) changes.push_back(&event);
+  }
+  std::stable_sort(changes.begin(), changes.end(),
+                   [](const TimerEvent* a, const TimerEvent* b) { return a->at_s < b->at_s; });
+  std::map<std::string, Eigen::Vector2d> drifts_mps;
+  for (TimerEvent* event : changes) {
+    const std::string& vehicle = event->drift->vehicle;
+    const Eigen::Vector2d first_mps = context.first_drift_mps == nullptr
+                                          ? Eigen::Vector2d(0, 0)
+                                          : context.first_drift_mps(vehicle);
+    Eigen::Vector2d& drift_mps = drifts_mps.emplace(vehicle, first_mps).first->second;
+    drift_mps = DriftAfter(drift_mps, *event->drift);
+    event->keys = {
+        {"vehicle", TomlString(vehicle)},
+        {"sim_command", TomlString("drift")},
+        {"values", fmt::format("[{}, {}]", TomlNumber(drift_mps.x()), TomlNumber(drift_mps.y()))}};
+  }
+}
+
+/// A script that behaviors start waits for its variable.
+void Unpause(Script* script, TimerScript* result) {
+  result->conditions.push_back(script->pause_variable + " = false");
+  std::erase_if(result->losses, [&](const auto& loss) { return loss.first == script->pause_line; });
+  result->taken.push_back(script->pause_line);
+  script->pause_line = 0;
+}
+
+/// The script does not run: nothing is lost of it but where it `waits`.
+void LeaveOut(const std::string& reason, bool waits, TimerScript* script) {
+  std::erase_if(script->losses, [&](const auto& loss) {
+    if (waits && loss.second == kWaits) return false;
+    script->taken.push_back(loss.first);
+    return true;
+  });
+  for (TimerEvent& event : script->events) {
+    event.keys.clear();
+    event.point.reset();
+    event.drift.reset();
+    event.reason = reason;
+    event.is_needless = true;
+  }
+}
+
 }  // namespace
 
-TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
-                            std::span<const std::string> vehicles,
-                            const HasMoosVariable& has_variable,
-                            const FindMoosBridge& find_bridge) {
+TimerScript ReadTimerScript(const MoosBlock& block, const TimerContext& context) {
   const auto convert = [&](const std::string& posted, const std::string& value) {
-    return ConvertEvent(posted, value, vehicle, vehicles, has_variable, find_bridge);
+    return ConvertEvent(posted, value, context);
   };
   TimerScript result;
-  const Script script = ReadScript(block, &result);
-  ScriptRun(script, vehicle, convert).Run(&result);
+  Script script = ReadScript(block, &result);
+  if (script.pause_line > 0 && context.may_be_set != nullptr &&
+      context.may_be_set(script.pause_variable)) {
+    Unpause(&script, &result);
+  }
+  ScriptRun(script, context.vehicle, convert).Run(&result);
   result.num_resets = script.num_resets;
   result.reset_line = script.reset_line;
-  const bool any = std::any_of(result.events.begin(), result.events.end(),
-                               [](const TimerEvent& event) { return !event.keys.empty(); });
+  const bool is_idle = script.pause_line > 0 || !context.idle.empty();
   // What is lost then are its events, whatever its conditions.
-  if (!any || script.is_paused) TakeConditions(&result);
-  for (TimerEvent& event : result.events) {
-    if (!script.is_paused || event.keys.empty()) continue;
-    event.keys.clear();
-    event.reason = "the script is paused";
-    event.is_needless = true;
+  if (!IsAnyTaken(result) || is_idle) TakeConditions(&result);
+  if (is_idle) {
+    const bool is_paused = context.idle.empty();
+    LeaveOut(is_paused ? "the script is paused" : context.idle, is_paused, &result);
+  } else {
+    SumDrifts(context, &result);
   }
   return result;
 }

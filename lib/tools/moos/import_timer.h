@@ -12,7 +12,10 @@
 // and a variable that a vehicle's behaviors go by becomes the command "set".
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
+#include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -20,14 +23,22 @@
 #include <vector>
 
 #include "lib/tools/moos/moos_file.h"
+#include "lib/tools/moos/sim_drift.h"
 
 namespace shoal {
+
+/// A point that a script posts for pObstacleMgr: all of one label are one obstacle.
+struct TrackedPoint {
+  std::string label;
+  Eigen::Vector2d position_m;
+};
 
 /// A line `event = ...` as keys of an [[event]], with their values in TOML; or the reason why it is
 /// none.
 struct TimerEvent {
   int line = 0;             ///< MoosLine::number.
   std::string origin = {};  ///< "a.moos:12".
+  std::string text = {};    ///< The line.
   double at_s = 0;
   std::vector<std::pair<std::string, std::string>> keys =
       {};                    ///< Without at_s; empty: see `reason`.
@@ -35,6 +46,8 @@ struct TimerEvent {
   std::string reason = {};   ///< Why it is no [[event]].
   int round = 0;             ///< Of a script that is repeated.
   bool is_needless = false;  ///< Nothing is lost without it: `reason` is no warning.
+  std::optional<TrackedPoint> point = {};
+  std::optional<DriftChange> drift = {};  ///< Its keys state the drift that is there then.
 };
 
 /// TimerScript::num_resets of `reset_max = nolimit`.
@@ -79,13 +92,26 @@ class MoosBridges {
 /// Returns what the shore's variable is with the vehicle's name behind it; empty: nothing.
 using FindMoosBridge = std::function<std::string(std::string_view posted)>;
 
+/// What a script is read with. Functions may be empty.
+struct TimerContext {
+  std::string_view vehicle = {};               ///< Whose file it is; empty: the shore's.
+  std::span<const std::string> vehicles = {};  ///< All, for names such as DEPLOY_ABE.
+  HasMoosVariable has_variable = {};           ///< Empty: none has any.
+  FindMoosBridge find_bridge = {};
+  /// Returns false for a variable that nothing in the files reads: no loss. Empty: each is read.
+  std::function<bool(std::string_view posted)> may_be_read = {};
+  /// Returns true where the vehicle's behaviors may set a variable. Empty: they set none.
+  std::function<bool(std::string_view variable)> may_be_set = {};
+  /// Variables that pObstacleMgr takes points from.
+  std::set<std::string, std::less<>> point_variables = {};
+  /// Returns the drift that a vehicle begins with. Empty: none.
+  std::function<Eigen::Vector2d(std::string_view vehicle)> first_drift_mps = {};
+  /// Why the script never runs: all of its events have this reason. Empty: it does.
+  std::string idle = {};
+};
+
 /// Reads a block of uTimerScript. What is random there is drawn here, from the same distribution
 /// and the same in each import. Of a script that is repeated the rounds of the first 600 s.
-/// `vehicle`: whose file it is; empty: the shore's. `vehicles`: all of the mission, for names such
-/// as DEPLOY_ABE. `has_variable` may be empty: none has any.
-[[nodiscard]] TimerScript ReadTimerScript(const MoosBlock& block, std::string_view vehicle,
-                                          std::span<const std::string> vehicles,
-                                          const HasMoosVariable& has_variable = {},
-                                          const FindMoosBridge& find_bridge = {});
+[[nodiscard]] TimerScript ReadTimerScript(const MoosBlock& block, const TimerContext& context);
 
 }  // namespace shoal

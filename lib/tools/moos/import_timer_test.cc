@@ -14,7 +14,7 @@ namespace shoal::import_timer_test {
 TimerScript Read(const std::string& lines, const std::string& vehicle = "") {
   const MoosFile file = ParseMoosFile("ProcessConfig = uTimerScript\n{\n" + lines + "\n}\n", "f");
   const std::vector<std::string> vehicles = {"abe", "ben"};
-  return ReadTimerScript(file.blocks.at(0), vehicle, vehicles);
+  return ReadTimerScript(file.blocks.at(0), {.vehicle = vehicle, .vehicles = vehicles});
 }
 
 /// Returns "10: vehicle = "abe", command = "deploy"", or the reason.
@@ -101,7 +101,10 @@ std::string Posts(const std::string& lines) {
   const std::vector<std::string> vehicles = {"abe", "ben"};
   const auto all = [](std::string_view, std::string_view) { return true; };
   std::string text;
-  for (const TimerEvent& event : ReadTimerScript(file.blocks.at(0), "abe", vehicles, all).events) {
+  for (const TimerEvent& event :
+       ReadTimerScript(file.blocks.at(0),
+                       {.vehicle = "abe", .vehicles = vehicles, .has_variable = all})
+           .events) {
     const std::string argument = event.keys.empty() ? event.reason : event.keys.back().second;
     text += std::to_string(event.at_s).substr(0, 4) + " " + argument + ", ";
   }
@@ -142,7 +145,8 @@ TEST(TimerScript, DrawsRandomVariablesWhenTheirKeySaysSo) {
       "f");
   const std::vector<std::string> vehicles = {"abe"};
   const auto all = [](std::string_view, std::string_view) { return true; };
-  const TimerScript script = ReadTimerScript(file.blocks.at(0), "abe", vehicles, all);
+  const TimerScript script = ReadTimerScript(
+      file.blocks.at(0), {.vehicle = "abe", .vehicles = vehicles, .has_variable = all});
   ASSERT_EQ(script.events.size(), 62U);
   for (const TimerEvent& event : script.events) {
     (event.keys.back().second[1] == 'U' ? u : v).push_back(event.keys.back().second);
@@ -204,7 +208,7 @@ TEST(ImportMoos, MakesEventsOfTimerScriptsAndWarnsOfThoseThatAreLost) {
   const MoosImport import = ImportOf("kayak",
                                      "ProcessConfig = uTimerScript\n{\n"
                                      "event = var=DEPLOY_ALL, val=true, time=10\n"
-                                     "event = var=SENSOR, val=3, time=1000\n"
+                                     "event = var=USM_ENABLED, val=3, time=1000\n"
                                      "event = var=RETURN_ALL, val=true, time=900\n"
                                      "event = quit\n}\n");
   const Mission mission = Loaded(import);
@@ -215,7 +219,7 @@ TEST(ImportMoos, MakesEventsOfTimerScriptsAndWarnsOfThoseThatAreLost) {
   EXPECT_EQ(
       import.warnings,
       (std::vector<std::string>{
-          "shore.moos:4: event = var=SENSOR, val=3, time=1000: no counterpart in shoal",
+          "shore.moos:4: event = var=USM_ENABLED, val=3, time=1000: no counterpart in shoal",
           "abe.moos:4: Behaviors = meta_abe.bhv: no behaviors are there: abe stays where it is; "
           "name its .bhv file too, or write a [[vehicle.behavior]] or [[vehicle.task]]"}));
 }
@@ -387,6 +391,135 @@ TEST(TimerScript, LosesNothingByWhatIsOnlyASound) {
   const TimerScript script = Read("event = var=SAY_MOOS, val=\"text={one}\", time=1");
   EXPECT_TRUE(script.events.at(0).keys.empty());
   EXPECT_TRUE(script.events.at(0).is_needless);
+}
+
+TEST(TimerScript, AddsDriftsUpFromWhatUSimMarineBeginsWith) {
+  const MoosFile file = ParseMoosFile(
+      "ProcessConfig = uTimerScript\n{\nevent = var=DRIFT_VECTOR_ADD, val=\"90,0.5\", time=4\n"
+      "event = var=DRIFT_VECTOR_ADD, val=\"0,1\", time=2\nevent = var=DRIFT_X, val=3, time=6\n"
+      "event = var=DRIFT_VECTOR_MULT, val=2, time=8\nevent = var=DRIFT_VECTOR, val=\"180,1\", "
+      "time=9\nevent = var=DRIFT_Y, val=a, time=9\n}\n",
+      "f");
+  const std::vector<std::string> vehicles = {"abe"};
+  const TimerScript script = ReadTimerScript(
+      file.blocks.at(0),
+      {.vehicle = "abe", .vehicles = vehicles, .first_drift_mps = [](std::string_view) {
+         return Eigen::Vector2d(1, 1);
+       }});
+  std::string text;
+  for (const TimerEvent& event : script.events) {
+    text += event.keys.empty() ? event.reason : event.keys.at(2).second + " ";
+  }
+  EXPECT_EQ(text, "[1, 2] [1.5, 2] [3, 2] [6, 4] [0, -1] not a vehicle's number");
+}
+
+constexpr char kScriptBhv[] =
+    "initialize DEPLOY = false\nBehavior = BHV_Waypoint\n{\nname = leg\nspeed = 1\n"
+    "points = 0,0\nupdates = UP\ncondition = DEPLOY = true\nrunflag = LATER = false\n}\n";
+
+/// Imports a vehicle abe with a script, and a shore with `shore`.
+MoosImport ImportScript(const std::string& script, const std::string& shore = "",
+                        const std::string& antler = "") {
+  return ImportMoos(std::vector<MoosSource>{
+      {.name = "abe.moos",
+       .text = "Community = abe\n" + antler + "ProcessConfig = pHelmIvP\n{\n}\n" + script},
+      {.name = "abe.bhv", .text = kScriptBhv},
+      {.name = "shore.moos", .text = "Community = shore\n" + shore}});
+}
+
+TEST(ImportMoos, LeavesOutAScriptThatAntlerDoesNotRun) {
+  const std::string script =
+      "ProcessConfig = uTimerScript\n{\nevent = var=UP, val=speed=2, time=5\n}\n";
+  const std::string runs = "ProcessConfig = ANTLER\n{\nRun = pHelmIvP @ NewConsole = false\n";
+  for (const bool is_run : {false, true}) {
+    const MoosImport import = ImportScript(
+        script, "",
+        runs + (is_run ? "Run = uTimerScript @ NewConsole = false ~ uTimerScript\n" : "") + "}\n");
+    EXPECT_EQ(import.warnings, std::vector<std::string>{});
+    EXPECT_EQ(Loaded(import).events.size(), is_run ? 1U : 0U);
+    EXPECT_EQ(import.mission.find("ANTLER does not run the script") == std::string::npos, is_run);
+  }
+}
+
+TEST(ImportMoos, ReadsAScriptUnderTheNameThatAntlerGivesIt) {
+  const MoosImport import = ImportScript(
+      "ProcessConfig = uTS_Later\n{\nevent = var=UP, val=speed=2, time=5\n}\n", "",
+      "ProcessConfig = ANTLER\n{\nRun = uTimerScript @ NewConsole = false ~ uTS_Later\n}\n");
+  EXPECT_EQ(import.lost, std::vector<std::string>{});
+  EXPECT_EQ(Loaded(import).events.size(), 1U);
+}
+
+TEST(ImportMoos, LeavesOutAScriptThatWaitsForAButton) {
+  const std::string viewer = "ProcessConfig = pMarineViewer\n{\naction = GUSTS = true\n}\n";
+  const MoosImport import = ImportScript(
+      "ProcessConfig = uTimerScript\n{\ncondition = GUSTS = true\nreset_max = 3\n"
+      "event = var=DRIFT_X, val=1, time=5\n}\n",
+      viewer);
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  EXPECT_EQ(Loaded(import).events.size(), 0U);
+  ASSERT_FALSE(import.lost.empty());
+  EXPECT_EQ(import.lost.front(),
+            "abe.moos:7: condition = GUSTS = true: only a button sets it: the script's events are "
+            "left out");
+}
+
+TEST(ImportMoos, LetsAPausedScriptBeginWhereABehaviorSetsItsVariable) {
+  const MoosImport import = ImportScript(
+      "ProcessConfig = uTimerScript\n{\npaused = true\npause_var = LATER\n"
+      "event = var=UP, val=speed=2, time=70\n}\n");
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  const Mission mission = Loaded(import);
+  ASSERT_EQ(mission.vehicles.at(0).behaviors.size(), 2U);
+  EXPECT_EQ(mission.vehicles[0].behaviors[1].condition, std::vector<std::string>{"LATER = false"});
+  EXPECT_EQ(mission.vehicles[0].behaviors[1].duration, 70);
+}
+
+TEST(ImportMoos, WarnsOnlyOfPostsThatSomethingReads) {
+  const std::string script =
+      "ProcessConfig = uTimerScript\n{\nevent = var=LEVEL, val=2, time=5\n}\n";
+  EXPECT_EQ(ImportScript(script).warnings, std::vector<std::string>{});
+  EXPECT_EQ(ImportScript(script, "ProcessConfig = pLogger\n{\nlog = LEVEL @ 0\n}\n").warnings,
+            std::vector<std::string>{});
+  EXPECT_EQ(ImportScript(script + "ProcessConfig = myApp\n{\ninput = LEVEL\n}\n").warnings,
+            std::vector<std::string>{
+                "abe.moos:7: event = var=LEVEL, val=2, time=5: no counterpart in shoal"});
+}
+
+TEST(ImportMoos, MakesObstaclesOfPointsAsPObstacleMgrDoes) {
+  const std::string points =
+      "ProcessConfig = uTimerScript\n{\nevent = var=TRACKED_FEATURE, val=\"x=0,y=0,label=a\"\n"
+      "event = var=TRACKED_FEATURE, val=\"x=10,y=0,label=a\"\n"
+      "event = var=TRACKED_FEATURE, val=\"x=10,y=10,label=a\"\n"
+      "event = var=TRACKED_FEATURE, val=\"x=9,y=2,label=a\"\n"
+      "event = var=TRACKED_FEATURE, val=\"x=50,y=50,label=b\"\n}\n";
+  const std::string manager = "ProcessConfig = pObstacleMgr\n{\n";
+  const MoosImport import = ImportScript(points + manager + "}\n");
+  EXPECT_EQ(import.warnings, std::vector<std::string>{});
+  const Mission hulls = Loaded(import);
+  ASSERT_EQ(hulls.obstacles.size(), 2U);
+  EXPECT_EQ(hulls.obstacles[0].id, "a");
+  EXPECT_EQ(hulls.obstacles[0].polygon_m.size(), 3U) << "one lies inside";
+  EXPECT_EQ(hulls.obstacles[1].polygon_m.size(), 8U);
+  EXPECT_NEAR((hulls.obstacles[1].polygon_m[0] - Eigen::Vector2d(50, 50)).norm(), 0.5, 0.02);
+  const Mission lasso =
+      Loaded(ImportScript(points + manager + "lasso = true\nlasso_points = 6\n}\n"));
+  ASSERT_EQ(lasso.obstacles.size(), 2U);
+  ASSERT_EQ(lasso.obstacles[0].polygon_m.size(), 6U);
+  EXPECT_NEAR((lasso.obstacles[0].polygon_m[0] - Eigen::Vector2d(7.25, 3)).norm(), 5, 0.02);
+}
+
+TEST(ImportMoos, LetsVehiclesTouchWhereTheyStart) {
+  const auto start = [](const std::string& name, const std::string& x) {
+    return MoosSource{.name = name + ".moos",
+                      .text = "Community = " + name +
+                              "\nProcessConfig = uSimMarine\n{\nstart_pos = " + x + ",0\n}\n"};
+  };
+  const auto collisions = [&](const std::string& x) {
+    return Loaded(ImportMoos(std::vector<MoosSource>{start("abe", "0"), start("ben", x)}))
+        .collisions;
+  };
+  EXPECT_EQ(collisions("1"), CollisionVerdict::kAllowed);
+  EXPECT_EQ(collisions("50"), CollisionVerdict::kFail);
 }
 
 }  // namespace shoal::import_timer_test

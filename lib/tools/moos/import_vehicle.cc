@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 
-#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
@@ -15,6 +13,7 @@
 #include "lib/run/moos_text/fields.h"
 #include "lib/run/moos_text/numbers.h"
 #include "lib/tools/moos/bhv_text.h"
+#include "lib/tools/moos/sim_drift.h"
 #include "lib/tools/moos/start_pos.h"
 
 namespace shoal {
@@ -302,19 +301,7 @@ bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line,
 
 bool VehicleImport::TakeDrift(std::string_view key, const std::string& origin,
                               const MoosLine& line) {
-  if (key == "drift_vector") {
-    const auto parts = TrimmedParts(line.value, ',');
-    if (parts.size() != 2) return false;
-    const auto angle_deg = NumberIn(parts[0]);
-    const auto speed_mps = NumberIn(parts[1]);
-    if (!angle_deg || !speed_mps) return false;
-    const double angle_rad = *angle_deg * std::numbers::pi / 180;
-    drift_mps_ = {*speed_mps * Sin(angle_rad), *speed_mps * Cos(angle_rad)};
-  } else {
-    const auto number = NumberIn(line.value);
-    if (!number) return false;
-    drift_mps_(key == "drift_x" ? 0 : 1) = *number;
-  }
+  if (!TakeDriftLine(key, line.value, &drift_mps_)) return false;
   drift_.Add(origin, line.text);
   return true;
 }

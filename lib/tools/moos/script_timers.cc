@@ -37,7 +37,7 @@ std::vector<std::string> UsableConditions(const TimerScript& script, const Vehic
     const auto parsed = Condition::Parse(texts.back());
     if (!parsed.ok()) return {};
     for (const std::string& name : parsed->VariablesUsed()) {
-      if (!vehicle.behaviors().variables.contains(name) && !IsReportedVariable(name)) return {};
+      if (!vehicle.behaviors().words.contains(name) && !IsReportedVariable(name)) return {};
       waits_for_orders_only = waits_for_orders_only && IsOrder(name);
     }
   }

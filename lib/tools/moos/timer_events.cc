@@ -3,11 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
+#include <cstddef>
 #include <optional>
 
-#include "lib/base/arithmetic/elementary.h"
+#include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/base/text/numbers.h"
 #include "lib/bus/bus/channels.h"
@@ -26,18 +25,14 @@ constexpr std::pair<std::string_view, std::string_view> kCommands[] = {
 
 class EventConverter {
  public:
-  EventConverter(std::string_view vehicle, std::span<const std::string> vehicles,
-                 const HasMoosVariable& has_variable, const FindMoosBridge& find_bridge)
-      : vehicle_(vehicle),
-        vehicles_(vehicles),
-        has_variable_(has_variable),
-        find_bridge_(find_bridge) {}
+  explicit EventConverter(const TimerContext& context)
+      : context_(context), vehicle_(context.vehicle), vehicles_(context.vehicles) {}
 
   ConvertedEvent Convert(const std::string& posted, const std::string& value) const {
     if (posted.starts_with("VIEW_")) return std::string(kOnlyDraws);
     if (posted == "SAY_MOOS") return std::string(kOnlySounds);
-    const bool may_be_bridged = vehicle_.empty() && find_bridge_ != nullptr;
-    const std::string bridged = may_be_bridged ? find_bridge_(posted) : "";
+    const bool may_be_bridged = vehicle_.empty() && context_.find_bridge != nullptr;
+    const std::string bridged = may_be_bridged ? context_.find_bridge(posted) : "";
     const std::string& variable = bridged.empty() ? posted : bridged;
     for (const auto& [name, command] : kCommands) {
       if (LowerCase(value) != "true" && IsVariable(variable, name)) break;
@@ -46,7 +41,13 @@ class EventConverter {
     for (const std::string_view name : {"MOOS_MANUAL_OVERIDE", "MOOS_MANUAL_OVERRIDE"}) {
       if (const auto target = TargetOf(variable, name)) return CommandOf(*target, "park", value);
     }
-    if (const auto target = TargetOf(variable, "DRIFT_VECTOR")) return DriftOf(*target, value);
+    for (const std::string_view name : DriftVariables()) {
+      const auto target = TargetOf(variable, name);
+      if (target) return DriftOf(*target, *DriftActionOf(name), value);
+    }
+    for (const std::string& name : context_.point_variables) {
+      if (posted == name || TargetOf(variable, name)) return PointOf(value);
+    }
     if (const ControlRow* row = FindControlOnChannel(variable)) return RuleOf(*row, value);
     const bool is_mediated = variable.starts_with(topics::kMediatedMessage);
     if (is_mediated || variable == topics::kNodeMessageLocal || variable == topics::kNodeMessage) {
@@ -57,7 +58,7 @@ class EventConverter {
 
  private:
   bool HasVariable(std::string_view vehicle, std::string_view variable) const {
-    return has_variable_ != nullptr && has_variable_(vehicle, variable);
+    return context_.has_variable != nullptr && context_.has_variable(vehicle, variable);
   }
 
   bool AnyHasVariable(std::string_view variable) const {
@@ -81,7 +82,10 @@ class EventConverter {
       const size_t end = name.rfind('_');  // A vehicle's name may hold '_'.
       name = name.substr(0, end == name.npos ? 0 : end);
     }
-    if (name.empty()) return "no counterpart in shoal";
+    if (name.empty()) {
+      const bool is_read = context_.may_be_read == nullptr || context_.may_be_read(posted);
+      return is_read ? "no counterpart in shoal" : std::string(kNothingReads);
+    }
     return EventKeys{{"vehicle", TomlString(*TargetOf(posted, name))},
                      {"command", TomlString("set")},
                      {"argument", TomlString(fmt::format("{}={}", name, value))}};
@@ -112,20 +116,32 @@ class EventConverter {
     return EventKeys{{"vehicle", TomlString(vehicle)}, {"command", TomlString(command)}};
   }
 
-  static ConvertedEvent DriftOf(const std::string& vehicle, std::string_view value) {
-    constexpr char kNoDrift[] = "not a vehicle's ANGLE,SPEED";
-    const size_t comma = value.find(',');
-    const auto angle_deg = NumberIn(value.substr(0, comma));
-    if (vehicle == "all" || !angle_deg || comma == value.npos) return kNoDrift;
-    const auto speed_mps = NumberIn(value.substr(comma + 1));
-    if (!speed_mps) return kNoDrift;
-    const double angle_rad = *angle_deg * std::numbers::pi / 180;
-    const auto rounded = [](double number) { return std::round(number * 1e9) / 1e9 + 0.0; };
-    return EventKeys{
-        {"vehicle", TomlString(vehicle)},
-        {"sim_command", TomlString("drift")},
-        {"values", fmt::format("[{}, {}]", TomlNumber(rounded(*speed_mps * Sin(angle_rad))),
-                               TomlNumber(rounded(*speed_mps * Cos(angle_rad))))}};
+  static ConvertedEvent DriftOf(const std::string& vehicle, DriftAction action,
+                                std::string_view value) {
+    const auto drift_mps = ParseDriftValue(action, value);
+    const bool is_vector = action == DriftAction::kSet || action == DriftAction::kAdd;
+    if (vehicle == "all" || !drift_mps) {
+      return is_vector ? "not a vehicle's ANGLE,SPEED" : "not a vehicle's number";
+    }
+    return DriftChange{.vehicle = vehicle, .action = action, .drift_mps = *drift_mps};
+  }
+
+  /// "x=23,y=99,label=b".
+  static ConvertedEvent PointOf(std::string_view value) {
+    TrackedPoint point;
+    std::optional<double> x_m;
+    std::optional<double> y_m;
+    for (const std::string_view part : TrimmedParts(value, ',')) {
+      const size_t equals = std::min(part.find('='), part.size());
+      const std::string_view key = Trimmed(part.substr(0, equals));
+      const std::string_view text = Trimmed(part.substr(std::min(equals + 1, part.size())));
+      if (key == "x") x_m = NumberIn(text);
+      if (key == "y") y_m = NumberIn(text);
+      if (key == "label" || key == "key") point.label = text;
+    }
+    if (!x_m || !y_m || point.label.empty()) return "not x=NUMBER,y=NUMBER,label=NAME";
+    point.position_m = {*x_m, *y_m};
+    return point;
   }
 
   static ConvertedEvent RuleOf(const ControlRow& row, const std::string& value) {
@@ -171,19 +187,16 @@ class EventConverter {
     return EventKeys{{"message", "{" + text + "}"}};
   }
 
+  const TimerContext& context_;
   std::string_view vehicle_;
   std::span<const std::string> vehicles_;
-  const HasMoosVariable& has_variable_;
-  const FindMoosBridge& find_bridge_;
 };
 
 }  // namespace
 
 ConvertedEvent ConvertEvent(const std::string& posted, const std::string& value,
-                            std::string_view vehicle, std::span<const std::string> vehicles,
-                            const HasMoosVariable& has_variable,
-                            const FindMoosBridge& find_bridge) {
-  return EventConverter(vehicle, vehicles, has_variable, find_bridge).Convert(posted, value);
+                            const TimerContext& context) {
+  return EventConverter(context).Convert(posted, value);
 }
 
 }  // namespace shoal

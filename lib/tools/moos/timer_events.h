@@ -1,7 +1,6 @@
 // What a post of uTimerScript is in a mission file.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,20 +13,17 @@ namespace shoal {
 
 /// Keys of an [[event]], with their values in TOML.
 using EventKeys = std::vector<std::pair<std::string, std::string>>;
-/// These, or the reason why there are none.
-using ConvertedEvent = std::variant<EventKeys, std::string>;
+/// These; or a part of something that several events make; or the reason why there is nothing.
+using ConvertedEvent = std::variant<EventKeys, TrackedPoint, DriftChange, std::string>;
 
 /// The reason of a post that loses nothing.
 inline constexpr std::string_view kOnlyDraws = "only draws: the viewer has a way of its own";
 
 inline constexpr std::string_view kOnlySounds = "is only a sound";
+inline constexpr std::string_view kNothingReads = "no line and no behavior reads it";
 
-/// Returns what the post of `value` to the variable `posted` is. The other arguments are those of
-/// ReadTimerScript.
+/// Returns what the post of `value` to the variable `posted` is.
 [[nodiscard]] ConvertedEvent ConvertEvent(const std::string& posted, const std::string& value,
-                                          std::string_view vehicle,
-                                          std::span<const std::string> vehicles,
-                                          const HasMoosVariable& has_variable,
-                                          const FindMoosBridge& find_bridge);
+                                          const TimerContext& context);
 
 }  // namespace shoal
