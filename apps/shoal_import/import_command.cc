@@ -156,7 +156,7 @@ void LeaveOutPlugs(const FindMoosFile& find, std::vector<std::string>* files) {
 bool IsAnyVehicle(const MoosImportOptions& how) {
   return std::any_of(how.runs.begin(), how.runs.end(), [&](const MoosRun& run) {
     return !IsBhvName(run.source.name) &&
-           DescribesVehicle(ParseMoosFile(Plug(run.source, run.defines, how.find)));
+           DescribesVehicle(ParseMoosFile(Plug(run.source, run.defines, how.find, run.options)));
   });
 }
 
@@ -206,8 +206,10 @@ void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<s
           how->runs.begin(), how->runs.end(),
           [&](const MoosRun& run) { return FileName(run.target) == FileName(file.target); });
       if (is_there) continue;
-      how->runs.push_back(
-          {.source = std::move(*source), .target = file.target, .defines = file.defines});
+      how->runs.push_back({.source = std::move(*source),
+                           .target = file.target,
+                           .defines = file.defines,
+                           .options = file.options});
     }
     if (plan.files.empty()) continue;
     how->pokes.insert(how->pokes.end(), plan.pokes.begin(), plan.pokes.end());

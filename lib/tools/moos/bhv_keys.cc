@@ -49,6 +49,7 @@ constexpr std::array kTypes = std::to_array<BhvType>({
     {"minaltitudex", "min_altitude"},
     {"rubberband", "rubber_band"},
     {"aborttopoint", "waypoint"},
+    {"simplewaypoint", "waypoint"},
     {"timeout", "op_region"},
     {"opregionrecover", "op_region"},
 });
@@ -400,6 +401,7 @@ constexpr std::array kLostKeys = std::to_array<BhvLostKey>({
     {"colregs", "avoid_mode", "the mode follows from the encounter", true},
     {"colregs", "avoid_submode", "the mode follows from the encounter", true},
     {"colregs", "velocity_filter", "distances do not depend on the contact's speed here", true},
+    {"waypoint", "eager_prev_index_flag", "not needed", false},
     {"leg_run", "turn_pt_gap", "not needed", false},
     {"leg_run", "id", "not needed", false},
     {"fixed_turn full_stop", "stale_nav_thresh", "not needed", false},
@@ -460,7 +462,6 @@ std::string_view KindOfBhv(std::string_view type) {
 std::optional<std::string_view> NearestKind(std::string_view type) {
   // Of others' behaviors, as their missions use them.
   constexpr auto kNearest = std::to_array<std::pair<std::string_view, std::string_view>>({
-      {"simplewaypoint", "waypoint"},
       {"scout", "waypoint"},
       {"zigleg", "zigzag"},
       {"pulse", ""},

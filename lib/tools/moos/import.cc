@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
 #include "lib/mission/file/load.h"
 #include "lib/mission/toml/suggest.h"
@@ -154,7 +155,8 @@ class Importer {
     std::vector<VehicleImport>& vehicles = fleet_.vehicles();
     for (size_t i = 0; i < fleet_.num_described(); ++i) {
       MoosDefines defines = sources_.defines(fleet_.FileOf(i));
-      const auto source = sources_.FindBhv(fleet_.FileOf(i), &defines);
+      PlugOptions options;
+      const auto source = sources_.FindBhv(fleet_.FileOf(i), &defines, &options);
       if (!source) continue;
       defines.emplace("VNAME", vehicles[i].name());
       std::vector<std::string> contacts;
@@ -162,7 +164,7 @@ class Importer {
         if (&other != &vehicles[i]) contacts.push_back(other.name());
       }
       vehicles[i].SetBehaviors(
-          ImportBhv(ParseBhvFile(Plug(*source, defines, options_.find)), contacts));
+          ImportBhv(ParseBhvFile(Plug(*source, defines, options_.find, options)), contacts));
       for (const std::string& warning : vehicles[i].behaviors().warnings) losses_.Warn(warning);
       for (const std::string& loss : vehicles[i].behaviors().lost) losses_.Lose(loss);
     }
@@ -190,12 +192,22 @@ class Importer {
     }
   }
 
+  /// Returns true for a line without effect here, whatever its value is.
+  static bool IsNeedless(std::string_view text, const VehicleImport* vehicle) {
+    if (text.find('=') == text.npos) return false;
+    const std::string key = LowerCase(Trimmed(text.substr(0, text.find('='))));
+    if (key == "community") return vehicle == nullptr;
+    return key == "serverport" || key == "serverhost" || key == "moostimewarp";
+  }
+
   void TakeFile(const MoosFile& file, VehicleImport* vehicle) {
     TakeGlobals(file, vehicle);
     for (const MoosBlock& block : file.blocks) TakeBlock(block, vehicle);
     for (const MoosOddLine& line : file.odd_lines) {
       draft_->Remark(kRest, line.origin, line.text, line.reason);
-      if (line.is_loss) losses_.Warn(line.origin + ": " + Quoted(line.text) + " " + line.reason);
+      if (line.is_loss && !IsNeedless(line.text, vehicle)) {
+        losses_.Warn(line.origin + ": " + Quoted(line.text) + " " + line.reason);
+      }
     }
   }
 

@@ -27,6 +27,7 @@ struct MoosRun {
   MoosSource source;
   std::string target;  ///< "targ_abe.bhv".
   MoosDefines defines;
+  PlugOptions options = {};
 };
 
 struct MoosImportOptions {

@@ -160,6 +160,10 @@ class BlockImporter {
       } else {
         Refuse(line, "not a number or forever");
       }
+    } else if (IsSimpleWaypoint() && (key == "ptx" || key == "pty")) {
+      TakeSimplePoint(line, key, value);
+    } else if (IsSimpleWaypoint() && key == "ipf_type") {
+      settings_.Set("ipf_type", TomlString(word == "reflector" ? "roc" : word), line, false);
     } else if (kind_ == "loiter" && key.ends_with("center_assign")) {
       TakeCenterLine(line, key, value);
     } else if (kind_ == "leg_run" && TakeLeg(line, key, value)) {
@@ -226,6 +230,27 @@ class BlockImporter {
     Remark(line, "the polygon is moved there: the middle of the box around it", false);
   }
 
+  /// The behavior of moos-ivp-extend, which own behaviors of others begin with.
+  bool IsSimpleWaypoint() const { return LowerCase(block_.type).ends_with("simplewaypoint"); }
+
+  void TakeSimplePoint(const MoosLine& line, const std::string& key, std::string_view value) {
+    const auto number = NumberIn(value);
+    if (!number) return Refuse(line, "not a number", true);
+    simple_point_m_(key == "ptx" ? 0 : 1) = *number;
+    simple_lines_.Add(line.origin, line.text);
+  }
+
+  void SetSimplePoint() {
+    const MoosLine line{
+        .origin = simple_lines_.origins, .text = simple_lines_.texts, .key = "points", .value = ""};
+    settings_.Set("points", TomlPoints({simple_point_m_}), line, true);
+    settings_.Assume("capture_radius", "10", "As moos-ivp-extend's SimpleWaypoint has it.");
+    settings_.Assume("slip_radius", "0", "As moos-ivp-extend's SimpleWaypoint has it.");
+    import_.warnings.push_back(
+        fmt::format("{}: Behavior = {}: taken as that of moos-ivp-extend: a waypoint of one point",
+                    block_.origin, block_.type));
+  }
+
   bool TakeBothTurns(const MoosLine& line, const std::string& key) {
     const std::string rest = key.substr(std::string_view("turn").size());
     if (FindBhvKey(kind_, "turn1" + rest) == nullptr) return false;
@@ -267,6 +292,7 @@ class BlockImporter {
       settings_.Assume("trigger_on_poly_entry", "false",
                        "As MOOS-IvP's OpRegion: a start outside is a breach.");
     }
+    if (IsSimpleWaypoint()) SetSimplePoint();
     if (LowerCase(block_.type).ends_with("aborttopoint")) {
       settings_.Assume("capture_radius", "25", "As MOOS-IvP's AbortToPoint has it.");
       settings_.Assume("slip_radius", "200", "As MOOS-IvP's AbortToPoint has it.");
@@ -404,6 +430,8 @@ class BlockImporter {
   BhvSettings settings_{"[[vehicle.behavior]]"};
   BhvLeg leg_;
   BhvLoiter loiter_;
+  Eigen::Vector2d simple_point_m_ = Eigen::Vector2d::Zero();
+  DraftOrigins simple_lines_;
   bool is_template_ = false;
   bool has_duration_ = false;
   bool is_refused_ = false;

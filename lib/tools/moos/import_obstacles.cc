@@ -134,21 +134,23 @@ void ObstacleImport::AddTable(std::string id, const std::string& corners, const 
 void ObstacleImport::AddPoints(const std::vector<TimerEvent>& points,
                                const std::vector<MoosFile>& files, MissionDraft* draft) {
   const PointCluster settings = ClusterSettings(files);
-  std::map<std::string, PointCluster> clusters;
-  std::vector<std::string> labels;  // In the order of the script.
+  using ClusterName = std::pair<int, std::string>;  // The script, and the label.
+  std::map<ClusterName, PointCluster> clusters;
+  std::vector<ClusterName> names;  // In the order of the scripts.
   for (const TimerEvent& event : points) {
-    const auto [at, is_new] = clusters.emplace(event.point->label, settings);
+    const ClusterName name(event.point->script, event.point->label);
+    const auto [at, is_new] = clusters.emplace(name, settings);
     if (is_new) {
-      labels.push_back(event.point->label);
+      names.push_back(name);
       at->second.origin = event.origin;
       at->second.text = event.text;
     }
     std::vector<Eigen::Vector2d>& own_m = at->second.points_m;
     if (own_m.size() < settings.most_points) own_m.push_back(event.point->position_m);
   }
-  for (const std::string& label : labels) {
-    const PointCluster& cluster = clusters.at(label);
-    AddTable(label.substr(0, kLongestId), TomlPoints(HullOf(cluster)),
+  for (const ClusterName& name : names) {
+    const PointCluster& cluster = clusters.at(name);
+    AddTable(name.second.substr(0, kLongestId), TomlPoints(HullOf(cluster)),
              {.key = "",
               .value = "",
               .origin = cluster.origin,

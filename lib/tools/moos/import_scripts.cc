@@ -19,18 +19,17 @@ namespace shoal {
 
 namespace {
 
-/// Returns true where ANTLER runs apps of the file, and no timer script.
-bool IsLeftOutByAntler(const MoosFile& file) {
-  bool any_run = false;
+/// Returns true where the line of ANTLER that runs timer scripts is switched off by a comment.
+bool IsSwitchedOff(const MoosFile& file) {
+  const auto is_script = [](const std::string& app) { return AppClass(app) == "utimerscript"; };
+  if (std::none_of(file.stopped_apps.begin(), file.stopped_apps.end(), is_script)) return false;
   for (const MoosBlock& block : file.blocks) {
     if (AppClass(block.app) != "antler") continue;
     for (const MoosLine& line : block.lines) {
-      if (LowerCase(line.key) != "run") continue;
-      any_run = true;
-      if (AppOfRun(line.value) == "utimerscript") return false;
+      if (LowerCase(line.key) == "run" && is_script(AppNameOfRun(line.value))) return false;
     }
   }
-  return any_run;
+  return true;
 }
 
 /// Returns the variables that pObstacleMgr takes points from.
@@ -143,9 +142,9 @@ void ScriptImport::Read(const std::vector<MoosFile>& files, const PostImport& po
     for (const MoosBlock& block : files[i].blocks) {
       if (AppClass(block.app) != "utimerscript") continue;
       const MoosLine* button = WaitsForButton(block, files, posts, pokes, *fleet);
-      context.idle = IsLeftOutByAntler(files[i]) ? "ANTLER does not run the script"
-                     : button != nullptr         ? "the script waits for a button"
-                                                 : "";
+      context.idle = IsSwitchedOff(files[i]) ? "a comment switches the script off"
+                     : button != nullptr     ? "the script waits for a button"
+                                             : "";
       if (button != nullptr) {
         losses->Lose(fmt::format("{}: {}: only a button sets it: the script's events are left out",
                                  button->origin, button->text));
@@ -159,12 +158,16 @@ void ScriptImport::Read(const std::vector<MoosFile>& files, const PostImport& po
 
 std::vector<TimerEvent> ScriptImport::Points(const std::vector<MoosFile>& files) const {
   std::vector<TimerEvent> points;
+  int num_scripts = 0;
   for (const MoosFile& file : files) {
     for (const MoosBlock& block : file.blocks) {
       const auto script = scripts_.find(&block);
       if (script == scripts_.end()) continue;
+      ++num_scripts;
       for (const TimerEvent& event : script->second.events) {
-        if (event.point) points.push_back(event);
+        if (!event.point) continue;
+        points.push_back(event);
+        points.back().point->script = num_scripts;
       }
     }
   }

@@ -17,9 +17,26 @@ namespace {
 
 constexpr char kTemplate[] = "TEMPLATE";  ///< Of --vehicle: which file it is made of.
 
+/// Returns the apps of lines of ANTLER that are comments.
+std::vector<std::string> StoppedApps(std::string_view text) {
+  std::vector<std::string> apps;
+  while (!text.empty()) {
+    const size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = Trimmed(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+    if (!line.starts_with("//")) continue;
+    line = Trimmed(line.substr(2));
+    const size_t equals = line.find('=');
+    if (equals == line.npos || LowerCase(Trimmed(line.substr(0, equals))) != "run") continue;
+    apps.push_back(AppNameOfRun(Trimmed(line.substr(equals + 1))));
+  }
+  return apps;
+}
+
 /// Gives blocks with a name of their own the app that ANTLER runs under it:
 /// `Run = uTimerScript @ NewConsole = false ~ uTimerScript_PING`.
-MoosFile WithAppsOfNames(MoosFile file) {
+MoosFile WithAppsOfNames(MoosFile file, std::string_view source) {
+  file.stopped_apps = StoppedApps(source);
   std::map<std::string, std::string> apps;  // By names in lower case.
   for (const MoosBlock& block : file.blocks) {
     if (AppClass(block.app) != "antler") continue;
@@ -59,7 +76,8 @@ ImportSources::ImportSources(std::span<const MoosSource> sources, const MoosImpo
       bhv_sources_.push_back({.source = source, .target = {}, .defines = {}});
       continue;
     }
-    MoosFile file = WithAppsOfNames(ParseMoosFile(Plug(source, options.defines, options.find)));
+    MoosFile file =
+        WithAppsOfNames(ParseMoosFile(Plug(source, options.defines, options.find)), source.text);
     if (options.vehicles.empty() || !DescribesVehicle(file)) {
       files_.push_back(std::move(file));
       defines_.push_back(options.defines);
@@ -69,7 +87,8 @@ ImportSources::ImportSources(std::span<const MoosSource> sources, const MoosImpo
       if (!IsTemplateOf(source, i)) continue;
       MoosDefines defines = options.vehicles[i];
       defines.insert(options.defines.begin(), options.defines.end());
-      files_.push_back(WithAppsOfNames(ParseMoosFile(Plug(source, defines, options.find))));
+      files_.push_back(
+          WithAppsOfNames(ParseMoosFile(Plug(source, defines, options.find)), source.text));
       defines_.push_back(std::move(defines));
     }
   }
@@ -82,10 +101,12 @@ void ImportSources::AddRuns() {
     MoosDefines defines = run.defines;
     defines.insert(options_.defines.begin(), options_.defines.end());
     if (IsBhvName(run.source.name)) {
-      bhv_sources_.push_back({.source = run.source, .target = run.target, .defines = defines});
+      bhv_sources_.push_back(
+          {.source = run.source, .target = run.target, .defines = defines, .options = run.options});
       continue;
     }
-    files_.push_back(WithAppsOfNames(ParseMoosFile(Plug(run.source, defines, options_.find))));
+    files_.push_back(WithAppsOfNames(
+        ParseMoosFile(Plug(run.source, defines, options_.find, run.options)), run.source.text));
     defines_.push_back(std::move(defines));
   }
 }
@@ -133,7 +154,8 @@ ImportSources::BhvSource* ImportSources::GivenBhv(std::string_view name) {
   return nullptr;
 }
 
-std::optional<MoosSource> ImportSources::FindBhv(size_t index, MoosDefines* defines) {
+std::optional<MoosSource> ImportSources::FindBhv(size_t index, MoosDefines* defines,
+                                                 PlugOptions* options) {
   const MoosFile& file = files_[index];
   std::vector<std::string> names;
   if (const MoosLine* line = BehaviorsLine(file)) {
@@ -147,6 +169,7 @@ std::optional<MoosSource> ImportSources::FindBhv(size_t index, MoosDefines* defi
     if (BhvSource* given = GivenBhv(name)) {
       given->is_used = true;
       for (const auto& [macro, value] : given->defines) defines->insert_or_assign(macro, value);
+      *options = given->options;
       return given->source;
     }
   }

@@ -29,7 +29,7 @@ class ImportSources {
   const MoosDefines& defines(size_t index) const { return defines_[index]; }
 
   /// Finds the file of behaviors of a vehicle's file, and adds what it is plugged with.
-  std::optional<MoosSource> FindBhv(size_t index, MoosDefines* defines);
+  std::optional<MoosSource> FindBhv(size_t index, MoosDefines* defines, PlugOptions* options);
 
   /// Returns the names of all files of behaviors that are given.
   std::vector<std::string> BhvNames() const;
@@ -41,6 +41,7 @@ class ImportSources {
     MoosSource source;
     std::string target = {};   ///< What nsplug wrote; empty: it did not run.
     MoosDefines defines = {};  ///< What it was given.
+    PlugOptions options = {};
     bool is_used = false;
   };
 

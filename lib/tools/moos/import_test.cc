@@ -512,11 +512,11 @@ TEST(ImportMoos, LosesAnAppOnceAndABehaviorOnce) {
        .text = "Community = ida\nProcessConfig = ANTLER\n{\nRun = myApp @ X = 1 ~ b\n}\n"
                "ProcessConfig = pHelmIvP\n{\n}\nProcessConfig = myApp\n{\na = 1\nb = 2\n}\n"},
       {.name = "ida.bhv",
-       .text = "Behavior = BHV_SimpleWaypoint\n{\nname = w\nptx = 1\n}\n"
+       .text = "Behavior = BHV_Scout\n{\nname = w\nptx = 1\n}\n"
                "Behavior = BHV_HSLine\n{\nname = d\n}\n"
                "Behavior = BHV_Waypoint\n{\nname = v\nspeed = 1\npoints = none\n}\n"}});
   const std::string nearest =
-      "ida.bhv:1: Behavior = BHV_SimpleWaypoint: no kind of behavior in shoal; the nearest is "
+      "ida.bhv:1: Behavior = BHV_Scout: no kind of behavior in shoal; the nearest is "
       "waypoint";
   ASSERT_EQ(import.lost.size(), 3U);
   EXPECT_EQ(import.lost[0], nearest);
@@ -527,6 +527,24 @@ TEST(ImportMoos, LosesAnAppOnceAndABehaviorOnce) {
   EXPECT_NE(import.mission.find("BHV_HSLine: draws only: nothing is lost"), std::string::npos);
   ASSERT_EQ(import.outlooks.size(), 1U);
   EXPECT_EQ(import.outlooks[0].why, "it has no behaviors");
+}
+
+TEST(ImportMoos, TakesTheSimpleWaypointThatBehaviorsOfOthersBeginWith) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "ida.moos", .text = "Community = ida\nProcessConfig = pHelmIvP\n{\n}\n"},
+      {.name = "ida.bhv",
+       .text = "Behavior = BHV_SimpleWaypoint\n{\nname = w\nspeed = 2\nptx = 100\npty = -50\n"
+               "ipf_type = reflector\n}\n"}});
+  EXPECT_EQ(import.warnings,
+            std::vector<std::string>{"ida.bhv:1: Behavior = BHV_SimpleWaypoint: taken as that of "
+                                     "moos-ivp-extend: a waypoint of one point"});
+  EXPECT_EQ(import.lost, std::vector<std::string>{});
+  const shoal::Vehicle ida = Loaded(import).mission.vehicles.at(0);
+  const auto& waypoint = std::get<WaypointOptions>(ida.behaviors.at(0).what);
+  EXPECT_EQ(waypoint.points, std::vector<Eigen::Vector2d>({{100, -50}}));
+  EXPECT_EQ(waypoint.capture_radius, 10);
+  EXPECT_EQ(waypoint.slip_radius, 0);
+  EXPECT_EQ(waypoint.ipf_type, "roc");
 }
 
 TEST(ImportMoos, DeploysByAnEventWhereItIsToldTo) {

@@ -30,7 +30,8 @@ namespace shoal {
 /// A point that a script posts for pObstacleMgr: all of one label are one obstacle.
 struct TrackedPoint {
   std::string label;
-  Eigen::Vector2d position_m;
+  Eigen::Vector2d position_m = {0, 0};
+  int script = 0;  ///< Which of the mission's: vehicles have an obstacle manager each.
 };
 
 /// A line `event = ...` as keys of an [[event]], with their values in TOML; or the reason why it is

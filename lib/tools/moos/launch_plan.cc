@@ -24,10 +24,15 @@ bool IsPlanned(const LaunchFile& file) {
 void LaunchPlanDraft::TakeNsplug(const ShellWords& words, int line, ShellRun* run) {
   if (words.size() < 2) return run->Note(line, "nsplug has no two files");
   LaunchFile file{.source = words[0], .target = words[1], .defines = {}};
+  bool is_forced = false;
   for (size_t i = 2; i < words.size(); ++i) {
     const std::string& word = words[i];
+    is_forced = is_forced || word == "-f" || word == "--force";
     if (word.starts_with("--macros=")) AddMacros(word.substr(word.find('=') + 1), line, run, &file);
-    if (word.starts_with('-')) continue;
+    if (word.starts_with('-')) {
+      TakeOption(words, i, &file);
+      continue;
+    }
     if (word.starts_with('>') || word == "&") break;
     const size_t equals = word.find('=');
     if (equals == 0) continue;
@@ -35,13 +40,33 @@ void LaunchPlanDraft::TakeNsplug(const ShellWords& words, int line, ShellRun* ru
                                                               ? std::string(kBareMacro)
                                                               : word.substr(equals + 1));
   }
+  if (!is_forced && run->Find(file.target)) {
+    run->Note(line, fmt::format("{} is there: without --force nsplug asks whether to replace it; "
+                                "here it is replaced",
+                                Quoted(file.target)));
+  }
   AddFile(std::move(file));
+}
+
+void LaunchPlanDraft::TakeOption(const ShellWords& words, size_t at, LaunchFile* file) {
+  constexpr std::string_view kPath = "--path=";
+  std::string_view word = words[at];
+  if (word == "-l" || word == "--lenient") file->options.is_lenient = true;
+  if (word == "-s" || word == "--strict") file->options.is_strict = true;
+  const bool has_next = at + 1 < words.size();
+  if ((word == "-p" || word == "--path") && has_next) file->options.paths.push_back(words[at + 1]);
+  if (!word.starts_with(kPath)) return;
+  for (word.remove_prefix(kPath.size()); !word.empty();) {
+    const size_t end = std::min(word.find(':'), word.size());
+    if (end > 0) file->options.paths.emplace_back(word.substr(0, end));
+    word.remove_prefix(std::min(end + 1, word.size()));
+  }
 }
 
 /// Lines NAME=VALUE of a file; what the command line gives, wins.
 void LaunchPlanDraft::AddMacros(const std::string& name, int line, ShellRun* run,
                                 LaunchFile* file) {
-  constexpr size_t kMostMacros = 1'000;
+  constexpr size_t kMostMacros = 10'000;
   const std::string* made = run->FindMade(name);
   const auto found = made == nullptr ? run->Find(name) : std::nullopt;
   if (made == nullptr && !found) {

@@ -2,6 +2,7 @@
 // posts.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,7 @@ struct LaunchFile {
   std::string source;   ///< "meta_vehicle.moos".
   std::string target;   ///< "targ_abe.moos"; the source's name where it is used as it is.
   MoosDefines defines;  ///< What nsplug is given.
+  PlugOptions options = {};
 };
 
 struct LaunchPlan {
@@ -39,6 +41,7 @@ class LaunchPlanDraft {
   LaunchPlan& plan() { return plan_; }
 
  private:
+  static void TakeOption(const ShellWords& words, size_t at, LaunchFile* file);
   static void AddMacros(const std::string& name, int line, ShellRun* run, LaunchFile* file);
   void AddFile(LaunchFile file);
   LaunchFile* FindFile(const LaunchFile& file);

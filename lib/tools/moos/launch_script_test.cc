@@ -141,8 +141,32 @@ TEST(LaunchScript, NamesASumThatDividesByZeroOrIsTooLarge) {
             "launch.sh:1: '5 % 0' divides by 0 or leaves +-1e9: taken as 0\n");
   EXPECT_EQ(note("$((1000000001 - 1))"),
             "launch.sh:1: '1000000001 - 1' divides by 0 or leaves +-1e9: taken as 999999999\n");
-  EXPECT_EQ(note("$((RANDOM % 5))"), "launch.sh:1: RANDOM is random\n");
-  EXPECT_EQ(note("$RANDOM"), "launch.sh:1: RANDOM is random\n");
+}
+
+TEST(LaunchScript, DrawsWhatBashDrawsTheSameEachTime) {
+  const std::string text = "nsplug a.moos b.moos A=$((RANDOM % 1000)) B=$(($RANDOM % 1000))\n";
+  const std::string plan = Plan(text);
+  EXPECT_EQ(plan, Plan(text));
+  EXPECT_TRUE(
+      plan.ends_with("launch.sh:1: RANDOM is random: drawn here, the same in each import\n"))
+      << plan;
+  const size_t a = plan.find("A=") + 2;
+  const size_t b = plan.find("B=") + 2;
+  EXPECT_NE(plan.substr(a, 3), plan.substr(b, 3));
+  EXPECT_NE(plan[a], '0');
+}
+
+TEST(LaunchScript, KeepsOptionsOfNsplug) {
+  const LaunchPlan plan = ReadLaunchScript(
+      {.name = "launch.sh",
+       .text = "nsplug a.moos b.moos -f --path=p:q -p r --strict\nnsplug a.bhv b.bhv -l -f\n"},
+      {});
+  ASSERT_EQ(plan.files.size(), 2U);
+  EXPECT_EQ(plan.files[0].options.paths, (std::vector<std::string>{"p", "q", "r"}));
+  EXPECT_TRUE(plan.files[0].options.is_strict);
+  EXPECT_FALSE(plan.files[0].options.is_lenient);
+  EXPECT_TRUE(plan.files[1].options.is_lenient);
+  EXPECT_EQ(plan.notes, std::vector<std::string>{});
 }
 
 TEST(LaunchScript, TakesPathsApartAsDirnameAndBasenameDo) {

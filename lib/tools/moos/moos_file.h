@@ -47,6 +47,8 @@ struct MoosFile {
   std::vector<MoosLine> globals;
   std::vector<MoosBlock> blocks;
   std::vector<MoosOddLine> odd_lines;
+  /// Apps of lines `// Run = uTimerScript` that are switched off.
+  std::vector<std::string> stopped_apps = {};
 };
 
 /// Reads any text. A line with a macro that has no value is odd, but for $(NAME) in blocks of apps

@@ -121,7 +121,8 @@ std::string_view TakeWord(std::string_view* text) {
 
 class Plugger {
  public:
-  Plugger(const MoosDefines& defines, const FindMoosFile& find) : find_(find) {
+  Plugger(const MoosDefines& defines, const FindMoosFile& find, const PlugOptions& options)
+      : find_(find), options_(options) {
     for (const auto& [name, value] : defines) defines_.emplace(name, CleanUtf8(Trimmed(value)));
   }
 
@@ -220,24 +221,30 @@ class Plugger {
     return macro.is_upper ? UpperCase(value) : value;
   }
 
-  /// One macro without a value keeps the whole text as it is, as nsplug does.
+  /// One macro without a value keeps the whole text as it is, as nsplug does; with --lenient only
+  /// itself.
   Expansion Expanded(std::string_view whole, size_t most_bytes) const {
     constexpr int kMaxMacros = 1'000;
     std::string text(whole);
+    std::string unknown;
+    size_t from = 0;
     for (int i = 0; i < kMaxMacros; ++i) {
-      const auto macro = FindMacro(text, 0);
+      const auto macro = FindMacro(text, from);
       if (!macro) {
-        const size_t open = std::min(text.find("$("), text.find("%("));
-        if (open == text.npos) return {.text = std::move(text), .unknown = ""};
-        return {.text = std::string(whole), .unknown = text.substr(open, 2)};
+        const size_t open = std::min(text.find("$(", from), text.find("%(", from));
+        if (unknown.empty() && open != text.npos) unknown = text.substr(open, 2);
+        if (unknown.empty() || options_.is_lenient) return {std::move(text), std::move(unknown)};
+        return {.text = std::string(whole), .unknown = std::move(unknown)};
       }
       auto value = ValueOf(*macro);
-      if (!value) {
-        return {.text = std::string(whole),
-                .unknown = text.substr(macro->begin, macro->end - macro->begin)};
+      if (value) {
+        text.replace(macro->begin, macro->end - macro->begin, *value);
+        if (text.size() > most_bytes) break;
+        continue;
       }
-      text.replace(macro->begin, macro->end - macro->begin, *value);
-      if (text.size() > most_bytes) break;
+      if (unknown.empty()) unknown = text.substr(macro->begin, macro->end - macro->begin);
+      if (!options_.is_lenient) return {.text = std::string(whole), .unknown = std::move(unknown)};
+      from = macro->end;
     }
     return {.text = "", .unknown = "", .is_too_long = true};
   }
@@ -255,6 +262,13 @@ class Plugger {
     const std::string_view own =
         Trimmed(std::string_view(expansion.text).substr(0, expansion.text.find("//")));
     if (own.empty()) return;
+    if (options_.is_strict && !expansion.unknown.empty()) {
+      return Add(origin, std::string(own),
+                 fmt::format("is without a value for {}: with --strict nsplug writes nothing of "
+                             "this file, whose other lines count here",
+                             expansion.unknown),
+                 true);
+    }
     Add(origin, std::string(own), "", false);
     if (!is_full_) lines_.back().unknown = std::move(expansion.unknown);
   }
@@ -396,6 +410,9 @@ class Plugger {
   std::optional<MoosSource> Find(const std::string& name, bool* is_beside) const {
     if (find_ == nullptr) return std::nullopt;
     auto source = find_(name, open_files_.front());
+    for (const std::string& path : options_.paths) {
+      if (!source) source = find_(path + "/" + name, open_files_.front());
+    }
     if (source || open_files_.size() == 1) return source;
     *is_beside = true;
     return find_(name, open_files_.back());
@@ -452,6 +469,7 @@ class Plugger {
 
   MoosDefines defines_;
   const FindMoosFile& find_;
+  const PlugOptions& options_;
   std::vector<PluggedLine> lines_;
   std::vector<std::string> open_files_;
   std::vector<Branch> branches_;
@@ -463,8 +481,9 @@ class Plugger {
 
 }  // namespace
 
-PluggedText Plug(const MoosSource& source, const MoosDefines& defines, const FindMoosFile& find) {
-  Plugger plugger(defines, find);
+PluggedText Plug(const MoosSource& source, const MoosDefines& defines, const FindMoosFile& find,
+                 const PlugOptions& options) {
+  Plugger plugger(defines, find, options);
   plugger.Run(source, "", {});
   return {.name = CleanUtf8(source.name), .lines = plugger.TakeLines()};
 }

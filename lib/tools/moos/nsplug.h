@@ -41,6 +41,13 @@ using MoosDefines = std::map<std::string, std::string, std::less<>>;
 using FindMoosFile =
     std::function<std::optional<MoosSource>(std::string_view name, std::string_view from)>;
 
+/// What else a command line of nsplug states.
+struct PlugOptions {
+  std::vector<std::string> paths = {};  ///< --path: folders of included files.
+  bool is_lenient = false;  ///< --lenient: beside a macro without a value others have theirs.
+  bool is_strict = false;   ///< --strict: nsplug writes nothing where a macro has no value.
+};
+
 /// A line, without comment and without blanks at its ends; never empty.
 struct PluggedLine {
   int number = 0;            ///< Counts all lines that are read, those of included files too.
@@ -59,7 +66,7 @@ struct PluggedText {
 /// Reads any text; `find` may be empty. What cannot be resolved is a line with a reason. At most
 /// 100,000 lines, 20 MB, 16 files within one another, and 4,096 bytes of a macro's value.
 [[nodiscard]] PluggedText Plug(const MoosSource& source, const MoosDefines& defines,
-                               const FindMoosFile& find);
+                               const FindMoosFile& find, const PlugOptions& options = {});
 
 /// Returns "a.moos" for "missions/a.moos".
 [[nodiscard]] std::string FileName(std::string_view path);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 
 #include "lib/base/text/letters.h"
@@ -121,9 +122,8 @@ std::string ShellValues::ValueOf(std::string_view text, int line) {
       const size_t index = static_cast<size_t>(name[0] - '1');
       return index < run_.script().arguments.size() ? run_.script().arguments[index] : "";
     }
-    const ShellWords& values = Values(name);
-    if (values.empty()) NoteRandom(name, line);
-    return values.empty() ? "" : values.front();
+    const std::string* value = FirstValue(name, line);
+    return value == nullptr ? "" : *value;
   }
   std::string_view inner = text.substr(2, text.size() - std::min<size_t>(3, text.size()));
   const bool is_length = inner.starts_with('#') && inner.size() > 1;
@@ -179,15 +179,22 @@ std::string ShellValues::Slice(const std::string& value, std::string_view text, 
 std::string ShellValues::Sum(std::string_view text, int line) {
   const std::string plain = Quoted(text, line);
   return run_.Sum(plain, line, [&](std::string_view name) {
-    const ShellWords& values = Values(name);
-    if (values.empty()) NoteRandom(name, line);
-    return values.empty() ? std::string_view() : std::string_view(values.front());
+    const std::string* value = FirstValue(name, line);
+    return value == nullptr ? std::string_view() : std::string_view(*value);
   });
 }
 
-/// Notes that a variable which bash draws has no value here.
-void ShellValues::NoteRandom(std::string_view name, int line) {
-  if (name == "RANDOM" || name == "SRANDOM") run_.Note(line, fmt::format("{} is random", name));
+/// Returns the first value of a variable; one that bash draws is drawn, the same in each import.
+/// Valid until the next call; nullptr: it has none.
+const std::string* ShellValues::FirstValue(std::string_view name, int line) {
+  const ShellWords& values = Values(name);
+  if (!values.empty()) return &values.front();
+  if (name != "RANDOM" && name != "SRANDOM") return nullptr;
+  run_.Note(line, fmt::format("{} is random: drawn here, the same in each import", name));
+  constexpr uint64_t kNumRandom = 32'768;
+  constexpr uint64_t kNumLong = 4'294'967'296;
+  drawn_ = std::to_string(stream_.UniformInt(name == "RANDOM" ? kNumRandom : kNumLong));
+  return &drawn_;
 }
 
 ShellWords ShellValues::ExpandAll(const ShellWords& raw, int line) {

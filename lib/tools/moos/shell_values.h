@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "lib/base/random/stream.h"
 #include "lib/tools/moos/shell_run.h"
 #include "lib/tools/moos/shell_text.h"
 
@@ -45,12 +46,14 @@ class ShellValues {
   std::string ValueOf(std::string_view text, int line);
   std::string Slice(const std::string& value, std::string_view text, int line);
   std::string Sum(std::string_view text, int line);
-  void NoteRandom(std::string_view name, int line);
+  const std::string* FirstValue(std::string_view name, int line);
 
   ShellRun run_;
   Variables variables_;
   Variables exported_;
   int nesting_ = 0;  ///< Of references.
+  Stream stream_{1, "RANDOM"};
+  std::string drawn_;  ///< The last.
 };
 
 }  // namespace shoal
