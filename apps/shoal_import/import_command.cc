@@ -160,11 +160,13 @@ bool IsAnyVehicle(const MoosImportOptions& how) {
   });
 }
 
-/// Names the scripts behind `last`, each of which may launch another vehicle.
+/// Names the scripts behind `last`, each of which may launch another vehicle; those that it calls
+/// were read.
 void NameUnread(const std::vector<std::string>& scripts, const std::string& last,
-                std::vector<std::string>* notes) {
+                const std::vector<std::string>& called, std::vector<std::string>* notes) {
   for (auto each = std::find(scripts.begin(), scripts.end(), last) + 1; each != scripts.end();
        ++each) {
+    if (std::find(called.begin(), called.end(), *each) != called.end()) continue;
     notes->push_back(fmt::format(
         "{}: not read, since {} launches a vehicle already; write a launch.sh that calls both",
         *each, last));
@@ -220,7 +222,7 @@ void ReadFolder(const std::string& folder, MoosImportOptions* how, std::vector<s
     });
     if (!plugs_bhv && has_bhv && !IsAnyVehicle(*how)) continue;
     // launch.sh calls those beside it, or they are for special cases.
-    if (main == scripts.end()) NameUnread(scripts, name, notes);
+    if (main == scripts.end()) NameUnread(scripts, name, plan.scripts, notes);
     break;
   }
   // Behaviors that no line plugs are found by their name.

@@ -71,6 +71,21 @@ TEST_F(Import, ReadsAFolderWithoutALaunchScript) {
   EXPECT_EQ(LoadMission(toml).mission.vehicles.at(0).behaviors.size(), 1U);
 }
 
+TEST_F(Import, NamesNoScriptThatTheOneItReadsCalls) {
+  std::filesystem::create_directory(directory_.File("m"));
+  Write("m/launch_all.sh", "./launch_shoreside.sh\n./launch_vehicle.sh ida\n");
+  Write("m/launch_shoreside.sh", "nsplug shore.moos targ_shore.moos -f\n");
+  Write("m/launch_vehicle.sh",
+        "nsplug meta.moos targ_$1.moos VNAME=$1 -f\nnsplug meta.bhv targ_$1.bhv -f\n");
+  Write("m/shore.moos", "Community = shore\n");
+  Write("m/meta.moos", "Community = $(VNAME)\nProcessConfig = pHelmIvP\n{\n}\n");
+  Write("m/meta.bhv", "Behavior = BHV_Timer\n{\nname = b\n}\n");
+  ::testing::internal::CaptureStderr();
+  EXPECT_EQ(RunImport({.files = {directory_.File("m")}, .out_path = directory_.File("a.toml")}),
+            kExitOk);
+  EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
+}
+
 TEST_F(Import, ReadsAFolderWhoseShoreAndVehiclesHaveAScriptEach) {
   std::filesystem::create_directory(directory_.File("m"));
   Write("m/launch_shoreside.sh", "nsplug shore.moos targ_shore.moos -f\n");

@@ -24,8 +24,9 @@ struct LaunchFile {
 
 struct LaunchPlan {
   std::vector<LaunchFile> files;
-  std::vector<MoosButton> pokes;   ///< What each line of uPokeDB posts.
-  std::vector<std::string> notes;  ///< "launch.sh:12: ...": what could not be read.
+  std::vector<MoosButton> pokes;     ///< What each line of uPokeDB posts.
+  std::vector<std::string> notes;    ///< "launch.sh:12: ...": what could not be read.
+  std::vector<std::string> scripts;  ///< That it calls, without their folders.
 };
 
 /// Takes the commands of a script that make the plan; `words` are without the command's name.

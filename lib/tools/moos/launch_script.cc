@@ -308,6 +308,7 @@ class LaunchReader {
       if (each.starts_with('>') || each == "&") break;
       own.push_back(each);
     }
+    plan_.plan().scripts.push_back(file);
     RunScript(*found, own);
   }
 

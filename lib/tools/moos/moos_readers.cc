@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "lib/base/text/letters.h"
+#include "lib/bus/bus/channels.h"
 #include "lib/tools/moos/bhv_text.h"
 #include "lib/tools/moos/import_settings.h"
 
@@ -22,10 +23,10 @@ bool OnlyPassesOn(std::string_view app_class) {
 /// Returns true for variables that apps of MOOS-IvP look at whatever their lines are.
 bool IsOfApps(std::string_view variable) {
   constexpr std::string_view kBeginnings[] = {
-      "NAV_",     "DESIRED_", "MOOS_",    "HELM_",     "IVPHELM_", "NODE_",   "UNC_",
-      "USM_",     "DRIFT_",   "CURRENT_", "BUOYANCY",  "TRIM_",    "ROTATE_", "BHV_",
-      "TRACKED_", "KNOWN_",   "GIVEN_",   "OBM_",      "BCM_",     "CONTACT", "DEPLOY",
-      "RETURN",   "STATION",  "UTS_",     "MEDIATED_", "VEHICLE_"};
+      topics::kNav, topics::kDesired, "MOOS_",    "HELM_",     "IVPHELM_", "NODE_",   "UNC_",
+      "USM_",       "DRIFT_",         "CURRENT_", "BUOYANCY",  "TRIM_",    "ROTATE_", "BHV_",
+      "TRACKED_",   "KNOWN_",         "GIVEN_",   "OBM_",      "BCM_",     "CONTACT", "DEPLOY",
+      "RETURN",     "STATION",        "UTS_",     "MEDIATED_", "VEHICLE_"};
   return std::any_of(std::begin(kBeginnings), std::end(kBeginnings),
                      [&](std::string_view begin) { return variable.starts_with(begin); });
 }
