@@ -24,9 +24,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a log without a mission, and so without steps: as often its messages are published.
+/// A log without a mission has no steps: its messages are published in steps of this length, or of
+/// a longer one where there would be more than kMostSteps.
 constexpr int64_t kTickOfOtherLogs_us = 20'000;
-/// Its messages are spread over as many steps at most.
 constexpr int64_t kMostSteps = 10'000'000;
 
 int Refuse(int code, const std::string& why) {

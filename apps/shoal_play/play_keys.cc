@@ -18,7 +18,7 @@ constexpr double kShort_s = 10;
 constexpr double kLong_s = 60;
 
 using Kind = PlayKey::Kind;
-/// Longer ones first, where one begins another.
+/// Where one begins with another, the longer one comes first.
 constexpr KeyRow kKeys[] = {
     {"\033[C", {Kind::kSeekBy, kShort_s}},
     {"\033[D", {Kind::kSeekBy, -kShort_s}},

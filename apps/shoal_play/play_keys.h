@@ -10,7 +10,7 @@
 
 namespace shoal {
 
-/// What is shown of the keys.
+/// The keys, as the user is shown them.
 inline constexpr char kPlayKeys[] =
     "space: pause, go on   left, right: 10 s back, on   down, up: a minute   + -: twice, half as "
     "fast   0: max   home: from the begin   q: end";
@@ -23,7 +23,7 @@ struct PlayKey {
   bool operator==(const PlayKey&) const = default;
 };
 
-/// Returns what the bytes of a terminal stand for; other keys stand for nothing.
+/// Returns the keys that the bytes of a terminal stand for, without those of no meaning here.
 [[nodiscard]] std::vector<PlayKey> KeysOf(std::string_view bytes);
 
 /// Reads keys as they are pressed, while it lives; none where standard input is not a terminal.
@@ -35,7 +35,7 @@ class Keyboard {
   Keyboard& operator=(const Keyboard&) = delete;
 
   bool is_there() const { return before_.has_value(); }
-  /// Returns what was pressed since; never waits.
+  /// Returns the keys that were pressed since the last call; never waits.
   std::vector<PlayKey> Pressed();
 
  private:

@@ -22,21 +22,22 @@ inline constexpr char kPlaybackName[] = "playback";
 struct PlaybackCounts {
   int64_t played = 0;
   int64_t bytes = 0;
-  /// Of the stepping and of LCM itself, which make their own; or with names that LCM cannot send.
+  /// Messages of the stepping and of LCM itself, since a playback has its own; and messages whose
+  /// channel's name LCM cannot send.
   int64_t left_out = 0;
   int64_t not_chosen = 0;
-  int64_t repeated = 0;  ///< Of what was published before the place where the playing begins.
-  int64_t answers = 0;   ///< Of others, in the second log.
+  int64_t repeated = 0;  ///< From before the place where the playing begins, and still in force.
+  int64_t answers = 0;   ///< Messages of others, in the second log.
 };
 
-/// Returns true for what is published again: not ticks, orders to the clock, requests and their
-/// answers, nor LCM's own.
+/// Returns true for a channel that is published again: all but ticks, orders to the clock, requests
+/// and their answers, and LCM's own.
 [[nodiscard]] bool IsPlayed(std::string_view channel);
 
 class PlaybackApp : public App {
  public:
-  /// `log` and `answers` must outlive this, `answers` may be null: no second log. What stands
-  /// in the log from where it is at now is played, behind what holds there.
+  /// Plays `log` from its present place on, after what holds there. Both pointers must outlive
+  /// this; `answers` may be null: no second log.
   PlaybackApp(PlaybackLog* log, const ChannelChoice& channels, int64_t tick_us, LogWriter* answers,
               Bus& bus);
 

@@ -18,7 +18,7 @@ namespace {
 /// A mission's log has all of its channels in the first steps.
 constexpr int64_t kMaxEventsAtBegin = 20'000;
 constexpr uint64_t kMaxBytesAtBegin = 16 << 20;
-/// What vehicles publish at least so often need not be looked for farther back.
+/// Vehicles publish messages of kHoldingTopics at least this often: older ones do not hold.
 constexpr int64_t kHolds_us = 2'000'000;
 
 /// Topics of vehicles that publish on change, or once per second.

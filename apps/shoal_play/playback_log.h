@@ -1,6 +1,6 @@
-// A recording to be played: where it begins and ends, which vehicles it has, and its events from
-// any time on. Times are those of the log's line (lib/bus/record/log_times.h): they never fall, and
-// a clock that jumps does not move them.
+// A recording to be played: its begin and end, its vehicles, and its events from any time on. Times
+// are those of the log's line (lib/bus/record/log_times.h): they never go back, and a jump of the
+// log's clock does not change them.
 //
 //   Result<PlaybackLog> log = PlaybackLog::Open("runs/mine");
 //   log->SeekTo(log->first_utime() + 60'000'000);
@@ -28,26 +28,26 @@ struct HoldingMessage {
 
 class PlaybackLog {
  public:
-  /// Opens a log, or the folder of a recording. A log without an event that can be played, or with
-  /// times that none can have, is an error.
+  /// Opens a log, or the folder of a recording. It is an error if the log has no event that can be
+  /// played, or its first time is impossible.
   [[nodiscard]] static Result<PlaybackLog> Open(const std::string& path);
 
   const std::string& path() const { return reader_.path(); }
   int64_t first_utime() const { return times_.zero_utime; }
   int64_t last_utime() const { return times_.zero_utime + times_.end_us; }
   const LogTimes& times() const { return times_; }
-  /// As the channels NAV_<V> of the log's begin have them, in lower case, in their order.
+  /// The names V of the channels NAV_<V> in the log's begin, in lower case, in order of appearance.
   const std::vector<std::string>& vehicles() const { return vehicles_; }
-  /// The COMMS_RULES in force where it is, which a viewer needs; before the first ones, these;
-  /// empty: there are none.
+  /// The COMMS_RULES in force at the present place, which a viewer needs; before the log's first
+  /// ones, the first ones; empty: the log has none.
   const Bytes& rules() const { return rules_; }
-  /// What was published before the place that SeekTo went to and holds there, in the order in which
-  /// it was published: rules, and what vehicles publish on change or once per second.
+  /// The messages from before the place of SeekTo that still hold there, in the order in which they
+  /// were published: rules, and what vehicles publish on change or once per second.
   const std::vector<HoldingMessage>& holding() const { return holding_; }
 
   /// Continues with the first event that is not before `utime`.
   void SeekTo(int64_t utime);
-  /// Returns the next event; what is damaged is skipped, and counted.
+  /// Returns the next event; skips and counts what is damaged.
   std::optional<LogEvent> Next();
   int64_t num_damages() const { return reader_.num_damages(); }
 

@@ -28,11 +28,16 @@ constexpr int64_t kLongestPoll_us = 50'000;
 constexpr int64_t kStopPatience_us = 1'000'000;
 constexpr std::string_view kSeek = "seek ";
 
-std::vector<ReceiverQueue> QueuesAt(const PortPlan& ports) {
+/// The kernel reports how full other processes' buffers are in a table, and wakes no one when they
+/// are emptied: there is no file descriptor to wait for, and so the table is read again after a
+/// short pause.
+void PauseFor(int64_t us) { usleep(static_cast<useconds_t>(us)); }
+
+/// The ports at which others receive.
+std::set<int> ReceiversPorts(const PortPlan& ports) {
   std::set<int> numbers = {ports.tick_port()};
   for (const int port : ports.DataPorts()) numbers.insert(port);
-  std::ifstream table("/proc/net/udp");
-  return ParseQueues(table, numbers, OwnSocketInodes());
+  return numbers;
 }
 
 }  // namespace
@@ -48,8 +53,12 @@ struct Player::Session {
           const RunningMission& running, const PortPlan& ports, const MissionSecret& secret,
           LogWriter* answers, int64_t from_utime, double warp)
       : transport(
-            &lcm, [&ports] { return QueuesAt(ports); },
-            [](int64_t us) { usleep(static_cast<useconds_t>(us)); }),
+            &lcm,
+            [queues = ForeignQueues(ReceiversPorts(ports))]() mutable {
+              std::ifstream table("/proc/net/udp");
+              return queues.In(table);
+            },
+            &PauseFor),
         group({.mission_id = running.mission_id,
                .pid = getpid(),
                .secret = secret,
@@ -105,7 +114,7 @@ double Player::At_s(const Session& session) const {
 }
 
 std::unique_ptr<Player::Session> Player::MakeSession(int64_t from_utime) {
-  // The first has the one that participants were given.
+  // Participants were given the id of the first session.
   if (std::exchange(has_begun_, true)) running_.mission_id = RandomPlaybackId();
   if (const auto kept = KeepSecret(running_.port_base, secret_); !kept.ok()) {
     Fail(kept.error());
@@ -142,7 +151,7 @@ void Player::Receive(Session* session, int port, std::string_view channel,
   }
   session->clock.OnDatagram(port, channel, datagram, now);
   if (!is_order) return;
-  // As the clock took it: it refuses what is no order, and what comes when it ends.
+  // The clock may have refused the order, for instance because it ends: its own state counts.
   if (command.command == "warp") warp_ = session->clock.warp();
   if (command.command == "pause" || command.command == "resume") {
     is_paused_ = session->clock.paused();
@@ -175,7 +184,7 @@ void Player::ObeyKeys(Session* session) {
         Order(session, is_paused_ ? "resume" : "pause");
         break;
       case PlayKey::Kind::kSeekBy:
-        // From where the key before it leads to, where that comes at the same time.
+        // Several keys may be pressed at once: each moves on from where the one before leads to.
         SeekTo((seek_utime_ ? Seconds(*seek_utime_ - log_.first_utime()) : At_s(*session)) +
                key.seconds);
         break;
@@ -216,7 +225,7 @@ void Player::ShowProgress(Session& session) {
                                      counts_.played + counts.played, counts_.bytes + counts.bytes));
 }
 
-/// Until the log's end, a jump in it, a signal or an error.
+/// Plays until the log's end, a jump in it, a signal or an error.
 void Player::Work(Session* session) {
   bool has_begun = false;
   while (session->clock.state() != StepClock::State::kEnded) {
@@ -235,7 +244,7 @@ void Player::Work(Session* session) {
     if (is_over_ || seek_utime_) return;
     if (!has_begun && session->clock.step() >= 0) {
       has_begun = true;
-      // Moved while it is paused: after the first step, so that what is there is shown.
+      // It was moved while paused. It pauses again after one step, so that viewers show the place.
       if (is_paused_) Order(session, "pause");
     }
     const int64_t deadline = std::min(session->group.NextDeadline(), session->clock.NextDeadline());
@@ -278,7 +287,7 @@ int Player::Run() {
     seek_utime_.reset();
     const std::unique_ptr<Session> session = MakeSession(from_utime);
     if (session == nullptr) break;
-    // Before the first step, so that receivers miss nothing.
+    // It pauses before the first step, so that receivers that start now miss nothing.
     if (std::exchange(waits_at_begin, false)) Order(session.get(), "pause");
     Work(session.get());
     End(session.get());

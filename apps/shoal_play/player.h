@@ -1,6 +1,6 @@
-// Plays a recording on LCM: a mission of one participant, which publishes what the log holds, and
-// of those that a user starts beside it. Each time it is moved in the log a mission with another id
-// begins, so that viewers and participants start again.
+// Plays a recording on LCM. A playback is a mission whose participants are the one that publishes
+// what the log holds, and those that a user starts beside it. Each jump in the log begins a mission
+// with another id, so that viewers and participants begin anew.
 //
 //   open -> claim ports -> register -> [ session: gather, step, END ] -> count
 //                              ^                 |
@@ -31,22 +31,22 @@ struct PlayOptions {
   std::string path;
   double warp = 1;      ///< Seconds of the log per wall second; 0: as fast as receivers can.
   double from_s = 0;    ///< Since the log's begin.
-  bool loop = false;    ///< At the end again, from `from_s`.
+  bool loop = false;    ///< At the end, begins again at `from_s`.
   bool paused = false;  ///< Waits before the first step.
   bool quiet = false;
   int port_base = 0;  ///< 0: the first free block.
   ChannelChoice channels = {};
-  std::vector<std::string> participants = {};  ///< That a user starts beside it.
+  std::vector<std::string> participants = {};  ///< Names of those that a user starts beside it.
   std::string answers_path = {};               ///< A log of what they publish; empty: none.
 };
 
-/// Returns the id of another session.
+/// Returns an id that no other session has.
 [[nodiscard]] int64_t RandomPlaybackId();
 
 class Player {
  public:
-  /// `mission`: what the log is of, as far as it is known. `running`: of the first session; its
-  /// ports must be claimed.
+  /// `mission`: the one that was recorded, as far as it is known. `running`: how the first session
+  /// is registered. @pre the ports of `running` are claimed
   Player(const PlayOptions& options, PlaybackLog* log, const Mission& mission,
          const RunningMission& running, LogWriter* answers, int signal_fd);
 
@@ -54,7 +54,7 @@ class Player {
   int Run();
 
  private:
-  /// What ends when the log is left at one place to go on at another.
+  /// All that lasts from one jump in the log to the next.
   struct Session;
 
   std::unique_ptr<Session> MakeSession(int64_t from_utime);

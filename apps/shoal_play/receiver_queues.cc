@@ -1,17 +1,37 @@
 #include "apps/shoal_play/receiver_queues.h"
 
 #include <algorithm>
-#include <cstdlib>
+#include <array>
+#include <charconv>
 #include <filesystem>
-#include <iterator>
-#include <sstream>
+#include <span>
 #include <system_error>
+#include <utility>
 
 namespace shoal {
 
 namespace {
 
 constexpr int64_t kPause_us = 200;
+
+/// Sets `words` to the first ones of a line; false: it has fewer.
+bool TakeWords(std::string_view line, std::span<std::string_view> words) {
+  for (std::string_view& word : words) {
+    line.remove_prefix(std::min(line.find_first_not_of(' '), line.size()));
+    word = line.substr(0, line.find(' '));
+    line.remove_prefix(word.size());
+  }
+  return !words.back().empty();
+}
+
+/// Returns the number behind the colon of "00000000:1DF3"; 0: there is none.
+int64_t HexadecimalBehindColon(std::string_view text) {
+  constexpr int kHexadecimal = 16;
+  text.remove_prefix(text.find(':') + 1);
+  int64_t number = 0;
+  (void)std::from_chars(text.data(), text.data() + text.size(), number, kHexadecimal);
+  return number;
+}
 
 }  // namespace
 
@@ -21,22 +41,14 @@ std::vector<ReceiverQueue> ParseQueues(std::istream& table, const std::set<int>&
   constexpr size_t kLocalAddress = 1;
   constexpr size_t kQueues = 4;
   constexpr size_t kInode = 9;
-  constexpr int kHexadecimal = 16;
   std::vector<ReceiverQueue> queues;
+  std::array<std::string_view, kInode + 1> words;
   for (std::string line; std::getline(table, line);) {
-    std::istringstream in(line);
-    const std::vector<std::string> words{std::istream_iterator<std::string>(in), {}};
-    if (words.size() <= kInode) continue;
-    const std::string& address = words[kLocalAddress];
-    const std::string& waiting = words[kQueues];
-    const size_t port_at = address.find(':') + 1;
-    const size_t receive_at = waiting.find(':') + 1;
-    const auto port =
-        static_cast<int>(std::strtol(address.c_str() + port_at, nullptr, kHexadecimal));
+    if (!TakeWords(line, words)) continue;
+    const auto port = static_cast<int>(HexadecimalBehindColon(words[kLocalAddress]));
     if (!ports.contains(port) || own.contains(words[kInode])) continue;
-    queues.push_back(
-        {.inode = words[kInode],
-         .waiting_bytes = std::strtoll(waiting.c_str() + receive_at, nullptr, kHexadecimal)});
+    queues.push_back({.inode = std::string(words[kInode]),
+                      .waiting_bytes = HexadecimalBehindColon(words[kQueues])});
   }
   return queues;
 }
@@ -51,6 +63,21 @@ std::set<std::string, std::less<>> OwnSocketInodes() {
     inodes.insert(target.substr(kPrefix.size(), target.size() - kPrefix.size() - 1));
   }
   return inodes;
+}
+
+ForeignQueues::ForeignQueues(std::set<int> ports, std::function<Inodes()> list_own)
+    : ports_(std::move(ports)), list_own_(std::move(list_own)) {}
+
+std::vector<ReceiverQueue> ForeignQueues::In(std::istream& table) {
+  std::vector<ReceiverQueue> queues = ParseQueues(table, ports_, own_);
+  const auto is_unknown = [&](const ReceiverQueue& queue) {
+    return !foreign_.contains(queue.inode);
+  };
+  if (std::ranges::none_of(queues, is_unknown)) return queues;
+  own_ = list_own_();
+  std::erase_if(queues, [&](const ReceiverQueue& queue) { return own_.contains(queue.inode); });
+  for (const ReceiverQueue& queue : queues) foreign_.insert(queue.inode);
+  return queues;
 }
 
 PacedTransport::PacedTransport(Transport* inner, Look look, Pause pause)

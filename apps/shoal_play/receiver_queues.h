@@ -1,5 +1,5 @@
-// What waits in the receive buffers of other processes: the kernel's word for how far they have
-// read. A sender that waits while it is much loses nothing to them, be they shoal's or not.
+// How many bytes wait in the receive buffers of other processes, as the kernel reports them. A
+// sender that waits while they are many loses nothing to these processes, be they shoal's or not.
 //
 //   PacedTransport transport(&lcm, ports, WaitForReceivers);
 #pragma once
@@ -31,16 +31,35 @@ struct ReceiverQueue {
 /// The inodes of this process's sockets.
 [[nodiscard]] std::set<std::string, std::less<>> OwnSocketInodes();
 
+/// The queues of other processes, looked at often. Listing the own sockets costs far more than
+/// reading the table, so that they are listed again only when a socket appears that is not known.
+class ForeignQueues {
+ public:
+  using Inodes = std::set<std::string, std::less<>>;
+
+  /// `list_own` returns the inodes of this process's sockets.
+  explicit ForeignQueues(std::set<int> ports, std::function<Inodes()> list_own = OwnSocketInodes);
+
+  /// Reads the table of /proc/net/udp.
+  [[nodiscard]] std::vector<ReceiverQueue> In(std::istream& table);
+
+ private:
+  const std::set<int> ports_;
+  const std::function<Inodes()> list_own_;
+  Inodes own_;
+  Inodes foreign_;
+};
+
 /// Sends through another transport, and lets the receivers keep up.
 class PacedTransport : public Transport {
  public:
-  /// After as many datagrams, or bytes, it looks how far the receivers are: as much fits the
-  /// smallest buffer (208 KiB by default) beside what may wait in it.
+  /// It looks at the receivers' buffers after as many datagrams, or bytes. The smallest buffer (208
+  /// KiB by default) has room for both: these, and kMaxWaiting_bytes.
   static constexpr int kDatagramsBetweenLooks = 32;
   static constexpr int64_t kBytesBetweenLooks = 48 << 10;
   /// It waits while a receiver has more than this unread ...
   static constexpr int64_t kMaxWaiting_bytes = 64 << 10;
-  /// ... but no longer for one that reads nothing at all: it is stopped, or hangs.
+  /// ... but after this time no longer for one that reads nothing at all: it is stopped, or hangs.
   static constexpr int64_t kPatience_us = 1'000'000;
 
   using Look = std::function<std::vector<ReceiverQueue>()>;
@@ -54,7 +73,7 @@ class PacedTransport : public Transport {
   void ListenToAll(int port) override { inner_.ListenToAll(port); }
   int64_t num_refused() const override { return inner_.num_refused(); }
 
-  /// Receivers that it did not wait for any longer, each counted once.
+  /// How many receivers it stopped waiting for; each counts once.
   int64_t num_given_up() const { return static_cast<int64_t>(ever_given_up_.size()); }
   /// Microseconds spent waiting.
   int64_t waited_us() const { return waited_us_; }
@@ -68,7 +87,7 @@ class PacedTransport : public Transport {
   int num_sent_ = 0;
   int64_t num_bytes_ = 0;
   int64_t waited_us_ = 0;
-  /// Receivers that read nothing for too long, with what they had unread then.
+  /// Receivers that read nothing for too long, and the bytes that they had not read then.
   std::map<std::string, int64_t, std::less<>> given_up_;
   std::set<std::string, std::less<>> ever_given_up_;
 };

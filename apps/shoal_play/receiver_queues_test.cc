@@ -23,6 +23,36 @@ TEST(ReceiverQueues, AreThoseOfOthersAtThePorts) {
   EXPECT_EQ(queues[1].inode, "12");
 }
 
+/// The table of sockets at port 7667 with these inodes.
+std::string TableOf(const std::vector<std::string>& inodes) {
+  std::string table = "sl local_address ...\n";
+  for (const std::string& inode : inodes) {
+    table += "1: 0:1DF3 0:0 07 0:A00 0:0 0 0 0 " + inode + " 2 ffff 0\n";
+  }
+  return table;
+}
+
+TEST(ForeignQueues, ListTheOwnSocketsAgainOnlyForOnesThatAreNotKnown) {
+  int num_lists = 0;
+  ForeignQueues queues({7667}, [&] {
+    ++num_lists;
+    return num_lists == 1 ? ForeignQueues::Inodes{"1"} : ForeignQueues::Inodes{"1", "4"};
+  });
+  const auto inodes_in = [&](const std::vector<std::string>& all) {
+    std::istringstream table(TableOf(all));
+    std::string inodes;
+    for (const ReceiverQueue& queue : queues.In(table)) inodes += queue.inode + " ";
+    return inodes;
+  };
+  EXPECT_EQ(inodes_in({"1", "2"}), "2 ");
+  EXPECT_EQ(inodes_in({"1", "2"}), "2 ");
+  EXPECT_EQ(inodes_in({"1"}), "");
+  EXPECT_EQ(num_lists, 1);
+  EXPECT_EQ(inodes_in({"1", "2", "3", "4"}), "2 3 ");
+  EXPECT_EQ(inodes_in({"1", "2", "3", "4"}), "2 3 ");
+  EXPECT_EQ(num_lists, 2);
+}
+
 /// Counts datagrams.
 class CountingTransport : public Transport {
  public:
