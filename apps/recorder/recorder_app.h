@@ -31,7 +31,7 @@ class RecorderApp : public App {
   /// Makes the log, or empties it; error() is empty if that worked.
   RecorderApp(const RecorderOptions& options, Bus& bus);
 
-  /// Writes what the step before published, stamped with the time of that step.
+  /// Writes what was published in the step before, stamped with the time of that step.
   void Tick(int64_t utime) override;
 
   /// Writes the last messages and closes the log.
@@ -40,8 +40,8 @@ class RecorderApp : public App {
   std::string Fault() const override { return error_; }
   StatusPage Status() const override;
 
-  /// Why the log is not complete, with the remedy; empty: it is. What is published after an error
-  /// is counted and dropped.
+  /// Why the log is not complete, with the remedy; empty: it is complete. Messages after an error
+  /// are dropped and counted.
   const std::string& error() const { return error_; }
 
  private:
@@ -62,8 +62,9 @@ class RecorderApp : public App {
   int64_t dropped_ = 0;              ///< Without a writer.
   using Channels = std::map<std::string, ChannelCount, std::less<>>;
   Channels channels_;
-  Channels::iterator
-      last_;  ///< Of the last message: those of a step come in the order of channels.
+  /// Of the last message. The messages of a step come in order of channels: the next one is here,
+  /// or right after it.
+  Channels::iterator last_;
   std::string error_;
   StatusLog log_;
 };

@@ -15,7 +15,8 @@ class PartView : public ViewSource {
   explicit PartView(std::unique_ptr<RecordedView> part) : part_(std::move(part)) {}
 
   void SetShare(double share) { share_ = share; }
-  /// No more than the begin can be shown: a page starts again, with the reason.
+  /// Shows the log's begin alone from now on. The setup has another start's name and a note with
+  /// the reason, so that open pages load it again.
   void Fail(const std::string& why) {
     std::string json = part_->SetupJsonWith(
         NewToken(),
@@ -54,7 +55,7 @@ class PartView : public ViewSource {
   const std::unique_ptr<RecordedView> part_;
   std::atomic<double> share_ = 0;
   std::mutex mutex_;
-  std::string failed_json_;  ///< Empty: it is being read.
+  std::string failed_json_;  ///< The setup after Fail(); empty: the log is still being read.
 };
 
 Result<std::unique_ptr<GrowingLog>> GrowingLog::Open(const std::string& path,

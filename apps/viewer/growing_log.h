@@ -17,7 +17,7 @@
 
 namespace shoal {
 
-/// The begin of a log, with how much of it all has been read meanwhile.
+/// The begin of a log, and the share of the whole log that has been read meanwhile.
 class PartView;
 
 class GrowingLog {
@@ -31,7 +31,7 @@ class GrowingLog {
                                                                 std::function<int64_t()> now_us);
   ~GrowingLog();
 
-  /// Returns the present view; of any thread.
+  /// Returns the present view; any thread may call it.
   std::shared_ptr<ViewSource> source() const;
   /// Waits until all has been read.
   void AwaitAll();
@@ -44,7 +44,7 @@ class GrowingLog {
   std::shared_ptr<ViewSource> source_;
   std::atomic<bool> stopped_ = false;
   std::shared_ptr<PartView> part_;  ///< Null where the first view is the whole.
-  std::thread reading_;             ///< Not there where the first view is the whole.
+  std::thread reading_;             ///< Not started where the first view is the whole.
 };
 
 }  // namespace shoal

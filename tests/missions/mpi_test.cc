@@ -1,4 +1,4 @@
-// Missions by several ranks under mpirun, as a user runs them. Skipped where MPI is not installed.
+// Missions by several ranks under mpirun, as a user runs them.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -34,7 +34,8 @@ to = "boat_2"
 at_least = 10
 )";
 
-/// Runs what needs mpirun, or skips.
+/// Runs what needs mpirun. MPI is an option of the build: without it shoal-mpi is not built, and
+/// there is nothing to test. The skip is shown by ctest; scripts/setup --with-tests installs MPI.
 class Mpi : public testing::Test {
  protected:
   void SetUp() override {

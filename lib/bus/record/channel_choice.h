@@ -10,7 +10,7 @@
 
 namespace shoal {
 
-/// Returns true for a channel that a glob with * ? [a-z] stands for.
+/// Returns true where the channel matches a glob, which may have * ? [a-z].
 [[nodiscard]] bool Matches(const std::string& glob, const std::string& channel);
 
 /// Returns true where `only` is empty or a glob of it matches the channel, and none of `without`

@@ -18,39 +18,40 @@
 
 namespace shoal {
 
-/// Which file it is, and as it is: for what is kept about it.
+/// Identifies a file in one state: what is kept about the file (index_file.h) holds while this is
+/// the same.
 struct FileStamp {
   uint64_t size = 0;
   int64_t changed_ns = 0;
-  uint64_t digest = 0;  ///< Of its first and last bytes, and of some between.
+  uint64_t digest = 0;  ///< Of its first and last bytes, and of some pieces between.
 
   bool operator==(const FileStamp&) const = default;
 };
 
-/// Returns a number that equal bytes have (FNV-1a of 64 bits, by words); no protection from malice.
+/// Returns the FNV-1a digest of 64 bits, by words. It finds damage; it does not stop an attacker.
 [[nodiscard]] uint64_t DigestOf(std::span<const uint8_t> bytes);
 
 class FileWindow {
  public:
-  /// Opens a regular file. What is appended to it later is not read. Of a compressed one the bytes
-  /// of frames that are damaged are zeros.
+  /// Opens a regular file. What is appended to it later is not read. Damaged frames of a compressed
+  /// file read as zeros.
   static Result<FileWindow> Open(const std::string& path);
 
   static constexpr size_t kBufferSize = size_t{1} << 20;
 
-  /// Returns another window on the same open file, which the path may no longer name. It reads at
-  /// least `buffer_size` bytes at a time. Each window may have a thread of its own.
+  /// Returns another window on the same open file, even if the path names another file by now. It
+  /// reads at least `buffer_size` bytes at a time. Each window may have a thread of its own.
   FileWindow Another(size_t buffer_size = kBufferSize) const;
 
   uint64_t size() const { return size_; }
 
   /// Returns the stamp of the file as it was opened.
   const FileStamp& Stamp() const { return source_->stamp; }
-  /// Returns true where the file is not as it was opened.
+  /// Returns true if the file was changed since it was opened.
   bool HasChanged() const;
 
   /// Returns the bytes [offset, offset + size), fewer at the end of the file. They live until the
-  /// next call. Takes `size` bytes of memory, no more than the file has.
+  /// next call. It needs `size` bytes of memory, but never more than the file's size.
   std::span<const uint8_t> At(uint64_t offset, size_t size);
 
   /// Returns the big-endian number at `offset` and leaves the views of At() alive.
@@ -66,8 +67,8 @@ class FileWindow {
   std::string_view lost() const {
     return source_->frames ? std::string_view(source_->frames->lost()) : std::string_view();
   }
-  /// Returns what is wrong with the frame of a compressed log in which `offset` is, with its place
-  /// in the file; empty: nothing that was met so far.
+  /// Returns what is wrong with the compressed frame that has the byte `offset`, and where the
+  /// frame is in the file; empty: nothing is wrong, as far as it has been read.
   std::string DamageAt(uint64_t offset) const;
 
  private:

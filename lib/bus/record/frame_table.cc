@@ -29,7 +29,7 @@ uint64_t LittleEndian(std::span<const uint8_t> bytes) {
   return value;
 }
 
-/// Reads all of `bytes` from there; false: the file ends before, or cannot be read.
+/// Fills `bytes` from `offset` on; false: the file ends before, or cannot be read.
 bool ReadAt(int fd, uint64_t offset, std::span<uint8_t> bytes) {
   while (!bytes.empty()) {
     const ssize_t result = ::pread(fd, bytes.data(), bytes.size(), static_cast<off_t>(offset));
@@ -70,7 +70,7 @@ std::optional<Head> ReadHead(int fd, uint64_t offset, uint64_t file_size) {
   return head;
 }
 
-/// Returns where the frame ends whose blocks begin at `offset`; nothing where the file ends before.
+/// Returns the end of the frame whose blocks begin at `offset`; nothing if the file ends before.
 std::optional<uint64_t> EndOfBlocks(int fd, uint64_t offset, uint64_t file_size,
                                     bool has_checksum) {
   for (bool is_last = false; !is_last;) {
@@ -86,7 +86,7 @@ std::optional<uint64_t> EndOfBlocks(int fd, uint64_t offset, uint64_t file_size,
   return offset > file_size ? std::nullopt : std::optional(offset);
 }
 
-/// Returns true for a file that begins as FrameWriter's do.
+/// Returns true for a file that begins with the mark of FrameWriter.
 bool IsOwnMark(int fd) {
   std::array<uint8_t, 8 + kOwnMark.size()> bytes{};
   return ReadAt(fd, 0, bytes) && LittleEndian(std::span(bytes).first(4)) == kOwnMarkMagic &&
@@ -166,7 +166,7 @@ std::string FrameTable::TakeHeads(int fd, uint64_t file_size) {
     if (!ReadAt(fd, offset, std::span(bytes).first(length))) return "cannot be read";
     const uint64_t magic = LittleEndian(std::span(bytes).first(4));
     if (length >= 4 && (magic & ~uint64_t{0xF}) == kSkippableMagic) {
-      // A list, damaged or cut, comes when all frames are there.
+      // The list is written last: even where it is damaged or cut, all frames are there.
       is_own = magic != kListMagic && (is_own || (offset == 0 && IsOwnMark(fd)));
       const uint64_t end = offset + 8 + LittleEndian(std::span(bytes).subspan(4));
       if (length < bytes.size() || end > file_size) {
@@ -186,7 +186,7 @@ std::string FrameTable::TakeHeads(int fd, uint64_t file_size) {
       return {};
     }
     const auto end = EndOfBlocks(fd, offset + head->size, file_size, head->has_checksum);
-    // A torn frame, or one without its size, has to be read to know it.
+    // The size of a torn frame, or of one whose head has none, is known after reading it.
     uint64_t size = head->content_size.value_or(0);
     if (!end || !head->content_size) {
       FrameDecoder decoder;
@@ -266,7 +266,7 @@ bool FrameDecoder::Decode(int fd, const Frame& frame, std::vector<uint8_t>* byte
     });
     return bytes->size() == frame.size;
   }
-  // A frame that is much longer than what it holds is none of ours.
+  // zstd makes no frame that is longer: the file is damaged.
   if (frame.file_size > ZSTD_compressBound(static_cast<size_t>(frame.size))) return false;
   compressed_.resize(static_cast<size_t>(frame.file_size));
   if (!ReadAt(fd, frame.file_begin, compressed_)) return false;

@@ -14,10 +14,10 @@ namespace shoal {
 
 namespace {
 
-/// The fastest of zstd's usual levels: logs become a twentieth of their size by it, and a tenth
-/// less by the slower ones. The same level always: equal logs are equal files.
+/// The fastest of zstd's usual levels. Logs become a twentieth of their size; slower levels save a
+/// tenth of that. It is fixed, so that equal logs are equal files.
 constexpr int kLevel = 1;
-/// Larger buffers are not used again: an event may be of any size.
+/// Larger buffers are freed: one event may be of any size, and the next ones small again.
 constexpr size_t kMaxSpare_bytes = size_t{4} << 20;
 
 void PutLittleEndian(uint32_t value, std::vector<uint8_t>* bytes) {
@@ -40,7 +40,7 @@ struct FreeContext {
   void operator()(ZSTD_CCtx* context) const { ZSTD_freeCCtx(context); }
 };
 
-/// Returns the frame of `bytes`, with their size and checksum, in `room`, which grows as it must.
+/// Returns the frame of `bytes`, with size and checksum. It lies in `room`, which grows as needed.
 std::span<const uint8_t> Compress(ZSTD_CCtx* context, const std::vector<uint8_t>& bytes,
                                   std::vector<uint8_t>* room) {
   const size_t bound = ZSTD_compressBound(bytes.size());

@@ -25,16 +25,16 @@ class FrameWriter {
   explicit FrameWriter(FileDescriptor file);
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
-  /// Writes what was added, without the list of frames where Close() was not called.
+  /// Writes the frames that were added; without Close(), the list of frames is missing.
   ~FrameWriter();
 
-  /// Takes a frame and leaves `bytes` empty, with the memory of an earlier one; waits while
-  /// kMaxWaiting of them are not compressed yet. Returns false after an error, which is that of an
-  /// earlier frame; then this one is dropped.
+  /// Takes a frame and leaves `bytes` empty, with the memory of an earlier frame. Waits while
+  /// kMaxWaiting frames are not compressed yet. Returns false, and drops the frame, if an earlier
+  /// one could not be written.
   bool Add(std::vector<uint8_t>* bytes, int64_t num_events);
 
-  /// Waits until all are written, writes the list of frames and closes the file; the last call.
-  /// Returns false where anything failed.
+  /// Waits until all frames are written, writes the list of frames and closes the file; the last
+  /// call. Returns false if anything failed.
   bool Close();
 
   /// The errno of the first write that failed; 0: none. The file has the frames before it.
@@ -44,7 +44,7 @@ class FrameWriter {
     int64_t events = 0;
     int64_t bytes = 0;
   };
-  /// Of the frames that an error has dropped.
+  /// Returns what the frames held that were dropped after an error.
   Dropped dropped() const;
 
  private:

@@ -27,7 +27,7 @@ constexpr int kIndexLevel = 1;
 struct KeptPart {
   uint32_t number = 0;
   std::string key;
-  uint64_t length = 0;  ///< Of what `bytes` hold, compressed.
+  uint64_t length = 0;  ///< Of the part; `bytes` are compressed.
   std::vector<uint8_t> bytes;
 };
 
@@ -40,14 +40,14 @@ std::vector<uint8_t> HeadOf(const FileStamp& stamp) {
   return head;
 }
 
-/// Reads all of `bytes` from there; false: the file ends before, or cannot be read.
+/// Fills `bytes` from `offset` on; false: the file ends before, or cannot be read.
 bool ReadFrom(int fd, uint64_t offset, std::span<uint8_t> bytes) {
   return ::pread(fd, bytes.data(), bytes.size(), static_cast<off_t>(offset)) ==
          static_cast<ssize_t>(bytes.size());
 }
 
-/// Returns the parts of an index that begins with `head` and whose number `is_wanted` takes; none
-/// of one that begins otherwise, and those in front of what is damaged.
+/// Returns the parts that `is_wanted` takes by their number. An index that does not begin with
+/// `head` has none; of a damaged one, those before the damage are returned.
 template <class IsWanted>
 std::vector<KeptPart> PartsOf(const std::string& path, std::span<const uint8_t> head,
                               IsWanted is_wanted) {
@@ -87,7 +87,7 @@ std::vector<KeptPart> PartsOf(const std::string& path, std::span<const uint8_t> 
   return parts;
 }
 
-/// Returns false for a file that does not begin as an index does: it is something else, and stays.
+/// Returns false for a file that does not begin as an index does: it is another's, and is kept.
 bool IsIndexOrAbsent(const std::string& path) {
   std::error_code error;
   if (std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found) {
@@ -152,7 +152,7 @@ void KeepIndexPart(const LogReader& log, IndexPart part, std::string_view key,
     file.insert(file.end(), kept.bytes.begin(), kept.bytes.end());
   }
   if (file.size() > kMaxIndex_bytes) return;
-  // Without it the log is read again the next time, no more.
+  // If it cannot be written, the log is read again the next time; nothing else is lost.
   (void)ReplaceFile(path, {reinterpret_cast<const char*>(file.data()), file.size()});
 }
 

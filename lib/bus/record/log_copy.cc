@@ -18,11 +18,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A plain log is written whenever as much of it is in memory.
+/// A plain copy is written to the file whenever this much of it is in memory.
 constexpr int64_t kCopyPiece_bytes = 4 << 20;
 
-/// Where a copy comes to lie, and where it is written until it is whole: what is there stays till
-/// then. Both are the same where nothing lies there that a file could replace.
+/// A copy is written to `part`, which replaces `target` when it is whole. Both are the same path if
+/// `target` cannot be replaced by a file, as a device.
 struct CopyPlace {
   fs::path target;
   fs::path part;
@@ -38,14 +38,14 @@ CopyPlace PlaceOf(const std::string& out_path) {
   const bool is_file = type == fs::file_type::regular;
   if (!is_file && (type != fs::file_type::not_found || is_link)) return {place, place};
   const fs::path target = is_link ? fs::canonical(place, ignored) : place;
-  // The name ends as the copy's does, which decides whether it is compressed. It has the process's
-  // number, since another copy may be the log that is read.
+  // The ending of the name decides whether the copy is compressed. The name has the process's
+  // number, since two copies may be made in one folder at a time.
   const std::string_view suffix =
       out_path.ends_with(kCompressedSuffix) ? kCompressedSuffix : ".lcm";
   return {target, target.parent_path() / fmt::format(".part-{}{}", getpid(), suffix)};
 }
 
-/// Begins a copy; where nothing can be made beside its place, at its place itself.
+/// Opens the copy: beside its target, or, where no file can be made there, at the target itself.
 Result<LogWriter> BeginCopy(CopyPlace* place) {
   if (!place->is_apart()) return LogWriter::Create(place->part.string());
   std::error_code ignored;

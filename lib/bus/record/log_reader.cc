@@ -13,7 +13,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kMaxDamagesListed = 1000;
-/// A data length above this is accepted only where another event, or the file's end, follows.
+/// A longer event is accepted only if another event, or the file's end, follows it.
 constexpr uint64_t kMaxUnconfirmedSize = 16 << 20;
 
 uint64_t BigEndian(std::span<const uint8_t> bytes) {
@@ -114,7 +114,7 @@ void LogReader::Skip(uint64_t end, std::string what) {
   position_ = end;
 }
 
-/// The end of a compressed log may be lost without a trace in the bytes that there are.
+/// Reports that the end of a compressed log is lost: its bytes alone do not show it.
 void LogReader::NoteLostEnd() {
   if (file_.lost().empty() || has_noted_end_ || !error_.empty()) return;
   has_noted_end_ = true;

@@ -39,13 +39,13 @@ class LogReader {
   /// Opens a log, or that of LogFileOf. An empty file is a log without events.
   static Result<LogReader> Open(const std::string& path, OnDamage on_damage = OnDamage::kStop);
 
-  /// Returns a reader of the same open file, even if its path names another by now, from the start
-  /// on; it reads `buffer_size` bytes at a time. Each reader may have a thread of its own.
+  /// Returns another reader of the same open file, at its begin, even if the path names another
+  /// file by now. It reads `buffer_size` bytes at a time. Each reader may have a thread of its own.
   LogReader Another(size_t buffer_size = FileWindow::kBufferSize) const {
     return {path_, file_.Another(buffer_size), on_damage_};
   }
 
-  /// Continues at `offset`, which is the begin of an event.
+  /// Continues at `offset`. @pre an event begins there
   void Seek(uint64_t offset) { position_ = offset; }
 
   /// Returns the next event, or nothing at the end of what can be read.
@@ -59,7 +59,7 @@ class LogReader {
   int64_t num_damages() const { return num_damages_; }
 
   uint64_t size() const { return file_.size(); }
-  /// Which file it is, as it was opened, and whether it is another by now.
+  /// The stamp of the file as it was opened, and whether the file was changed since.
   const FileStamp& Stamp() const { return file_.Stamp(); }
   bool HasChanged() const { return file_.HasChanged(); }
   const std::string& path() const { return path_; }

@@ -1,4 +1,4 @@
-// A log with the types that its messages have: what every `shoal log` command begins with.
+// What all `shoal log` commands share: opening a log, choosing events, reporting damage.
 #pragma once
 
 #include <optional>
@@ -17,7 +17,7 @@ namespace shoal {
 /// Opens `path`; on failure writes why to `err` and returns nothing.
 std::optional<LogReader> OpenLog(const std::string& path, OnDamage on_damage, std::ostream& err);
 
-/// Returns true, and writes why that does not go, where `out_path` is the log that is read.
+/// Returns true, and writes the error, if `out_path` is the log that is read.
 [[nodiscard]] bool IsLogItself(const std::string& path, const std::string& out_path,
                                std::ostream& err);
 
@@ -26,11 +26,11 @@ bool ReportDamage(const LogReader& reader, std::ostream& err);
 
 [[nodiscard]] bool IsSelected(const LogSelection& selection, const LogEvent& event);
 
-/// Writes which globs of `choice` match none of `channels`, all those of the log. Returns false
-/// where there are globs and none matches.
+/// Writes which globs of `choice` match no channel of the log, which has `channels`. Returns false
+/// if `choice.only` has globs and none of them matches.
 bool ReportUnmatched(const std::string& path, const ChannelChoice& choice,
                      const std::set<std::string, std::less<>>& channels, std::ostream& err);
-/// The same of a selection.
+/// The same for a selection.
 bool ReportUnmatched(const LogReader& reader, const LogSelection& selection,
                      const std::set<std::string, std::less<>>& channels, std::ostream& err);
 

@@ -14,9 +14,10 @@ namespace shoal {
 
 namespace {
 
-constexpr std::string_view kTimesKey = "1";  ///< Another one wherever what is kept changes.
+/// Names the format of the part: it must change when the format does.
+constexpr std::string_view kTimesKey = "1";
 constexpr int64_t kEventsBetweenProgress = 4096;
-/// A clock that is set right within the first events was wrong before.
+/// If the clock jumps within as many events, it was wrong before and is right from then on.
 constexpr int64_t kFirstEvents = 64;
 constexpr size_t kLeastPlace_bytes = 80;
 
@@ -70,7 +71,7 @@ class TimesReader {
                         .before_utime = last_utime_.value_or(event.utime)});
     const bool is_jump = line.num_shifts() > before.num_shifts();
     if (!is_jump && line.now_us() == before.now_us()) return;
-    // The doubted ones were right.
+    // Enough events agree: the times that were doubted were right.
     const TimeTrouble first = doubted_.front();
     if (is_jump) {
       if (times_.num_jumps++ == 0) times_.first_jump = first;
@@ -101,7 +102,7 @@ class TimesReader {
   uint64_t gap_bytes_;
   LogPlace next_{.line = RecordedTimeline(0)};
   std::optional<int64_t> last_utime_;  ///< Of the last event whose time fits.
-  std::vector<TimeTrouble> doubted_;   ///< In a row, fewer than RecordedTimeline::kWitnesses.
+  std::vector<TimeTrouble> doubted_;   ///< The last events, fewer than kWitnesses of the line.
   LogTimes times_;
 };
 
@@ -144,7 +145,7 @@ std::vector<uint8_t> BytesOf(const LogTimes& times) {
   return bytes;
 }
 
-/// Returns true for a time on a line that no arithmetic here can take too far.
+/// Returns true for a time on a line with which arithmetic here cannot overflow.
 bool IsOnLine(int64_t time_us) { return std::abs(time_us / 4) <= kFarthest_us; }
 
 std::optional<LogTimes> TimesFrom(std::span<const uint8_t> bytes, uint64_t log_size) {
@@ -220,7 +221,7 @@ std::vector<std::string> TimeWarnings(const LogTimes& times, const std::string& 
     return num > 1 ? fmt::format(" ({} more {})", num - 1, what) : std::string();
   };
   if (const auto& stray = times.first_stray) {
-    // Of a clock that jumps, no one span is right.
+    // If the clock jumps, no one span has all of the rest.
     const std::string remedy =
         times.num_jumps > 0
             ? ""

@@ -26,11 +26,11 @@ namespace shoal {
 inline constexpr std::array<std::string_view, 2> kHoldingChannels = {topics::kCommsRules,
                                                                      topics::kModemStats};
 
-/// A place from which a log can be read.
+/// A place from which the log can be read on.
 struct LogPlace {
   uint64_t offset = 0;    ///< Of the first event behind it.
-  RecordedTimeline line;  ///< Up to there.
-  /// Of kHoldingChannels, where the last message before it begins, by channel; kNone: there is
+  RecordedTimeline line;  ///< After the events before it.
+  /// For each of kHoldingChannels, the offset of its last message before the place; kNone: it has
   /// none.
   std::array<uint64_t, kHoldingChannels.size()> holding = {kNone, kNone};
 
@@ -51,9 +51,9 @@ struct LogTimes {
   static constexpr size_t kMaxChannels = 100'000;
 
   int64_t num_events = 0;
-  int64_t zero_utime = 0;  ///< What the line's 0 is by the log's clock: that of its first events.
-  int64_t end_us = 0;      ///< On the line.
-  std::vector<LogPlace> places;                 ///< In order; the first is the log's begin.
+  int64_t zero_utime = 0;        ///< The line's 0 by the log's clock, as its first events have it.
+  int64_t end_us = 0;            ///< On the line.
+  std::vector<LogPlace> places;  ///< In order; the first is the log's begin.
   std::set<std::string, std::less<>> channels;  ///< The first kMaxChannels.
   std::optional<TimeTrouble> first_stray;       ///< A time that its neighbours do not share ...
   int64_t num_strays = 0;                       ///< ... and how many do not.
@@ -68,7 +68,7 @@ struct LogTimes {
 /// Called now and then with the share of the log that has been read.
 using ReadingProgress = std::function<void(double share)>;
 
-/// Returns the times that are kept beside the log, or reads the log and keeps them.
+/// Returns the times from the index beside the log; if it has none, reads the log and keeps them.
 [[nodiscard]] LogTimes TimesOf(const LogReader& log, const ReadingProgress& progress,
                                uint64_t least_bytes = kLeastIndexedLog_bytes);
 

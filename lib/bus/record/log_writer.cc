@@ -75,7 +75,7 @@ LogWriter::~LogWriter() {
   if (!is_open_) return;
   if (frames_) {
     CutFrame();
-  } else if (file_.is_open()) {  // It is not where another writer has taken it over.
+  } else if (file_.is_open()) {  // It is closed if this writer was moved from.
     (void)Flush();
   }
 }
@@ -158,9 +158,9 @@ std::optional<Error> LogWriter::Close() {
 }
 
 Error LogWriter::Fail(int error_number) {
-  // Leaves whole events; where even that fails (such as on a device), readers find the cut.
+  // The file keeps whole events. If the cut fails (as on a device), readers find the torn event.
   if (file_.is_open()) (void)!::ftruncate(file_.get(), flushed_bytes_);
-  // What still waits is dropped, too, and counted then.
+  // Frames that wait are dropped too. They are counted after that.
   if (frames_) (void)frames_->Close();
   FrameWriter::Dropped dropped = frames_ ? frames_->dropped() : FrameWriter::Dropped();
   dropped.events += pending_events_;

@@ -20,12 +20,12 @@
 
 namespace shoal {
 
-/// A log with this at its end is a compressed one.
+/// A log whose name ends in this is compressed.
 inline constexpr std::string_view kCompressedSuffix = ".zst";
 
-/// A compressed log is cut into frames between events: before it is longer than the first, or when
-/// it is longer than the second and its first event this old. What is not in a whole frame is lost
-/// where the process is killed.
+/// A compressed log is cut into frames between events. A frame ends before it would be longer than
+/// kLogFrame_bytes, or when it is longer than kLeastLogFrame_bytes and its first event is
+/// kLogFrame_us old. If the process is killed, the events that are in no whole frame are lost.
 inline constexpr size_t kLogFrame_bytes = size_t{2} << 20;
 inline constexpr size_t kLeastLogFrame_bytes = size_t{64} << 10;
 inline constexpr int64_t kLogFrame_us = 10'000'000;
@@ -50,11 +50,11 @@ class LogWriter {
   /// The same with the event's own number, as another log has it.
   void AppendAs(const LogEvent& event);
 
-  /// Writes what was appended, whole events in one write(2), so that a process that is
-  /// killed between two calls leaves a whole log. Where the file cannot take all, it is cut back to
-  /// the events of the calls before; from then on everything is dropped and each call returns the
-  /// same error, which names the path and what to try. Of a compressed log whole frames are
-  /// written, by another thread, whenever they are full; the call returns the errors of these.
+  /// Writes what was appended, whole events in one write(2), so that a process that is killed
+  /// between two calls leaves a whole log. If the file cannot take all, it is cut back to the
+  /// events of the calls before; from then on everything is dropped, and each call returns the same
+  /// error, which names the path and what to try. A compressed log is different: another thread
+  /// writes each frame when it is full, and this call only returns the error of that thread.
   [[nodiscard]] std::optional<Error> Flush();
 
   /// Flushes and closes; the last call.

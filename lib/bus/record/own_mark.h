@@ -1,5 +1,5 @@
-// A skippable frame that stands first in the compressed logs that FrameWriter writes: one of them
-// without a list of frames was not closed.
+// The skippable frame with which FrameWriter begins a compressed log. A log that has it, and has no
+// list of frames, was not closed.
 #pragma once
 
 #include <cstdint>
