@@ -3,7 +3,7 @@
 #   include(EmbedWeb)
 #   shoal_embed_web(OUT_VARIABLE ${CMAKE_SOURCE_DIR}/web)
 #   shoal_embed_files(OUT_VARIABLE EmbeddedPage lib/tools/report/embedded_page.h
-#     ${CMAKE_SOURCE_DIR}/web dom.js campaign/report.js)
+#     ${CMAKE_SOURCE_DIR}/web page/dom.js campaign/report.js)
 #
 # sets OUT_VARIABLE to a generated source file that defines shoal::EmbeddedWeb()
 # (apps/viewer/embedded_web.h), or the function that a header declares. It is written again when a

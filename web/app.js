@@ -1,26 +1,26 @@
 // Puts the page together: asks for the mission, then lets source, map and panels know of one
 // another.
 
-import {tidyEvents, tidySetup} from './answers.js';
-import {setCauses} from './causes.js';
-import {setVehicles, vehicleColor} from './colors.js';
-import {Commands} from './commands.js';
-import {setText} from './dom.js';
-import {fillHelp} from './help.js';
-import {listenToKeys, showPressed} from './keys.js';
-import {MapView} from './map_view.js';
-import {CommsPanel} from './panel_comms.js';
-import {EventsPanel} from './panel_events.js';
-import {StatusPanel} from './panel_status.js';
-import {VehiclePanel} from './panel_vehicle.js';
-import {openStream, Requests} from './requests.js';
-import {LiveSource, RecordedSource} from './source.js';
-import {Tabs} from './tabs.js';
-import {fileName, missionTime, quantity} from './text.js';
-import {Timeline} from './timeline.js';
-import {TopBar} from './top_bar.js';
-import {ViewKeeper} from './view_keeper.js';
-import {World} from './world.js';
+import {tidyEvents, tidySetup} from './net/answers.js';
+import {setCauses} from './page/causes.js';
+import {setVehicles, vehicleColor} from './page/colors.js';
+import {Commands} from './panels/commands.js';
+import {setText} from './page/dom.js';
+import {fillHelp} from './page/help.js';
+import {listenToKeys, showPressed} from './page/keys.js';
+import {MapView} from './map/map_view.js';
+import {CommsPanel} from './panels/panel_comms.js';
+import {EventsPanel} from './panels/panel_events.js';
+import {StatusPanel} from './panels/panel_status.js';
+import {VehiclePanel} from './panels/panel_vehicle.js';
+import {openStream, Requests} from './net/requests.js';
+import {LiveSource, RecordedSource} from './net/source.js';
+import {Tabs} from './page/tabs.js';
+import {fileName, missionTime, quantity} from './page/text.js';
+import {Timeline} from './page/timeline.js';
+import {TopBar} from './page/top_bar.js';
+import {ViewKeeper} from './page/view_keeper.js';
+import {World} from './map/world.js';
 
 const kPanelEvery_ms = 200;
 const kRetry_ms = 1000;

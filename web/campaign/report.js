@@ -1,6 +1,6 @@
 // The page of a campaign's report.
 
-import {element, setText} from '../dom.js';
+import {element, setText} from '../page/dom.js';
 import {caseNotes, kAll, kOutcomes, Report} from './report_data.js';
 import {clipped, countOf, countText, valueText} from './report_numbers.js';
 import {curveMarks, histogramMarks, kOutcomeTicks, rangeOf, scaleOf, trialMarks}

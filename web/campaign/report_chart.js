@@ -1,7 +1,7 @@
 // A chart of marks that can be picked with the pointer or the keys.
 
 import uPlot from '../vendor/uPlot.esm.js';
-import {element, setText} from '../dom.js';
+import {element, setText} from '../page/dom.js';
 import {cellText, clipped} from './report_numbers.js';
 import {curveShift_px, drawBins, drawCurves, drawTrials} from './report_drawing.js';
 

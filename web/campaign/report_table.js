@@ -1,6 +1,6 @@
 // The table of the cases: the numbers of the text report.
 
-import {element} from '../dom.js';
+import {element} from '../page/dom.js';
 import {countOf} from './report_numbers.js';
 import {caseNotes} from './report_data.js';
 

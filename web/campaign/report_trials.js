@@ -1,6 +1,6 @@
 // The trials that stand behind a point, a bar or a row, each with the command that replays it.
 
-import {element, setText} from '../dom.js';
+import {element, setText} from '../page/dom.js';
 import {clipped, countOf, countText, replayCommand, valueText} from './report_numbers.js';
 import {kOutcomes} from './report_data.js';
 import {worstFirst} from './report_points.js';

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {tidyEvents, tidyFrame, tidySetup} from '../../../web/answers.js';
+import {tidyEvents, tidyFrame, tidySetup} from '../../../web/net/answers.js';
 
 const kNonsense = [null, undefined, 7, 'x', [], {}, NaN, {t: 'x', vehicles: []}, {t: 1}];
 

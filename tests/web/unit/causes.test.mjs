@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {beforeEach, test} from 'node:test';
 
-import {causeColor, causeWords, fateSign, isBlocked, setCauses} from '../../../web/causes.js';
+import {causeColor, causeWords, fateSign, isBlocked, setCauses} from '../../../web/page/causes.js';
 
 beforeEach(() => setCauses([
   {key: 'delivered', text: 'delivered', color: '#009e73', outcome: 'whole'},

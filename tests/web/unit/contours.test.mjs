@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {contourLevels, contourLines, floorContours, isFloor} from '../../../web/contours.js';
+import {contourLevels, contourLines, floorContours, isFloor} from '../../../web/map/contours.js';
 
 function floorOf(nx, ny, depthAt, {x0 = 0, y0 = 0, step_m = 10} = {}) {
   const depth_m = [];

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
-import {choiceWords, lossWords, roleWords} from '../../../web/decision.js';
+import {choiceWords, lossWords, roleWords} from '../../../web/panels/decision.js';
 
 test('names course, speed and depth, and leaves out what may be any', () => {
   assert.equal(choiceWords({course: 74, speed: 2, depth: -1}), '74°, 2.0 m/s');

@@ -4,9 +4,9 @@ import {test} from 'node:test';
 import {
   LocalFrame, bearingDegrees, circleTouchesBox, clipSegment, gridStep, metresText, mixDegrees,
   pulseTriangle, roundStep, scaleBarMetres, wrapDegrees,
-} from '../../../web/geometry.js';
-import {Camera} from '../../../web/map_camera.js';
-import {placesToFit} from '../../../web/map_places.js';
+} from '../../../web/map/geometry.js';
+import {Camera} from '../../../web/map/map_camera.js';
+import {placesToFit} from '../../../web/map/map_places.js';
 
 const near = (actual, expected, tolerance) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);

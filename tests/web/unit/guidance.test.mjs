@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
-import {guidanceFacts, layerWords} from '../../../web/guidance.js';
+import {guidanceFacts, layerWords} from '../../../web/panels/guidance.js';
 
 const kGuidance = {t: 12, pitch: -2.14, crab: 4.2, layers: [
   {name: 'sonar', speed: 0.52, weight: 1}, {name: 'feed_forward', speed: 2, weight: 0.79}]};

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {actionOf, kKeys} from '../../../web/help.js';
+import {actionOf, kKeys} from '../../../web/page/help.js';
 
 const press = (key, target = {tagName: 'BODY'}, more = {}) => actionOf({key, target, ...more});
 

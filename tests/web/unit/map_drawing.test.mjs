@@ -3,13 +3,13 @@ import {test} from 'node:test';
 
 import {
   chosenColors, kindColor, luminance, palette, parseColor, readable, setVehicles, vehicleColor,
-} from '../../../web/colors.js';
-import {labelLines, placeLabels} from '../../../web/draw_labels.js';
-import {Camera} from '../../../web/map_camera.js';
-import {coverageOf, surveysOf} from '../../../web/map_painter.js';
-import {presentTask, rangesOf, tasksKey} from '../../../web/draw_tasks.js';
-import {drawSwaths} from '../../../web/draw_trails.js';
-import {drawBelieved, drawnLength, hullOf, isStopped} from '../../../web/draw_vehicles.js';
+} from '../../../web/page/colors.js';
+import {labelLines, placeLabels} from '../../../web/map/draw_labels.js';
+import {Camera} from '../../../web/map/map_camera.js';
+import {coverageOf, surveysOf} from '../../../web/map/map_painter.js';
+import {presentTask, rangesOf, tasksKey} from '../../../web/map/draw_tasks.js';
+import {drawSwaths} from '../../../web/map/draw_trails.js';
+import {drawBelieved, drawnLength, hullOf, isStopped} from '../../../web/map/draw_vehicles.js';
 
 const size = (width, height = 20) => ({width, height});
 const item = (x, y, more = {}) => ({x, y, radius: 10, sizes: [size(100, 35), size(40)], ...more});

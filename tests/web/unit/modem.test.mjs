@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {modemWords} from '../../../web/modem.js';
+import {modemWords} from '../../../web/panels/modem.js';
 
 const kReport = {t: 10, sender: 'bravo', good: true, has_numbers: true, rate: 1, frames: 3,
   bad_frames: 0, snr: 23, equalizer: -12};

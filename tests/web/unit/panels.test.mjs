@@ -1,16 +1,16 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {axisRange, cleanColumns, headingStrokes} from '../../../web/charts.js';
-import {commandWords, gotoWords} from '../../../web/commands.js';
-import {mergeFates} from '../../../web/panel_fates.js';
-import {causeCounts} from '../../../web/panel_link.js';
-import {cellSize, cellWords, mediaToChoose} from '../../../web/panel_matrix.js';
-import {pageMatches} from '../../../web/panel_status.js';
-import {contactWords} from '../../../web/panel_swarm.js';
-import {alarmsOf, modeOf, reportAge, shortMode} from '../../../web/panel_vehicle.js';
-import {marksOf} from '../../../web/timeline.js';
-import {bannerWords, clockWords} from '../../../web/top_bar.js';
+import {axisRange, cleanColumns, headingStrokes} from '../../../web/charts/charts.js';
+import {commandWords, gotoWords} from '../../../web/panels/commands.js';
+import {mergeFates} from '../../../web/panels/panel_fates.js';
+import {causeCounts} from '../../../web/panels/panel_link.js';
+import {cellSize, cellWords, mediaToChoose} from '../../../web/panels/panel_matrix.js';
+import {pageMatches} from '../../../web/panels/panel_status.js';
+import {contactWords} from '../../../web/panels/panel_swarm.js';
+import {alarmsOf, modeOf, reportAge, shortMode} from '../../../web/panels/panel_vehicle.js';
+import {marksOf} from '../../../web/page/timeline.js';
+import {bannerWords, clockWords} from '../../../web/page/top_bar.js';
 
 test('a chart gets columns as long as its times, which grow, whatever came', () => {
   assert.deepEqual(cleanColumns([1, 1, 0, 2, NaN, 3], [[5, 6, 7, null], 'nonsense']),

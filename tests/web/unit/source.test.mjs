@@ -1,9 +1,9 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {Poller} from '../../../web/poller.js';
+import {Poller} from '../../../web/net/poller.js';
 import {kSpeeds, LiveSource, mayBeAnotherMission, neighbourEvent, RecordedSource}
-  from '../../../web/source.js';
+  from '../../../web/net/source.js';
 
 const settle = () => new Promise((done) => { setImmediate(done); });
 const frameAt = (t, state = 'running') => ({t, clock: {state}, vehicles: []});

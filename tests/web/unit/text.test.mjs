@@ -2,7 +2,7 @@ import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
 import {age, clip, fileName, heading, missionTime, quantity, ratio, words}
-  from '../../../web/text.js';
+  from '../../../web/page/text.js';
 
 test('a quantity has its unit and digits, and an unknown one a dash', () => {
   assert.equal(quantity(87.06, 1, 'm'), '87.1 m');

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {readHash, writeHash} from '../../../web/url_state.js';
+import {readHash, writeHash} from '../../../web/page/url_state.js';
 
 const kLayers = ['trails', 'names', 'grid'];
 

@@ -1,8 +1,8 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {Trail} from '../../../web/trail.js';
-import {World, acousticKinds, pulseOpacity} from '../../../web/world.js';
+import {Trail} from '../../../web/map/trail.js';
+import {World, acousticKinds, pulseOpacity} from '../../../web/map/world.js';
 
 const near = (actual, expected, tolerance = 1e-6) =>
   assert.ok(Math.abs(actual - expected) <= tolerance, `${actual} is not ${expected}`);

@@ -1,6 +1,6 @@
 // How the task of an underwater vehicle comes to its course and depth, as rows of the facts.
 
-import {clip, quantity, words} from './text.js';
+import {clip, quantity, words} from '../page/text.js';
 
 /** Guidance older than this no longer counts: no task steers. */
 const kOld_s = 3;

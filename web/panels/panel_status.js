@@ -1,8 +1,8 @@
 // The processes' own status pages (APPCAST), those with warnings first.
 
-import {element, KeyedList, setAttribute, setText} from './dom.js';
-import {Poller} from './poller.js';
-import {age, clip, missionTime} from './text.js';
+import {element, KeyedList, setAttribute, setText} from '../page/dom.js';
+import {Poller} from '../net/poller.js';
+import {age, clip, missionTime} from '../page/text.js';
 
 const kLongestPage = 20000;
 const kOld_s = 6;

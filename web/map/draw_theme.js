@@ -1,7 +1,7 @@
 // The map's colours: CSS custom properties of <html> where the page has them, else those of the
 // theme (class `light` on <html>: the light one).
 
-import {isLightTheme} from './colors.js';
+import {isLightTheme} from '../page/colors.js';
 
 const kDark = {
   'map-water': '#0b1622',

@@ -1,13 +1,13 @@
 // The list of vehicles and, of the chosen one, what it does, its charts and what it knows.
 
-import {TimeChart} from './charts.js';
+import {TimeChart} from '../charts/charts.js';
 import {DecisionTable} from './decision.js';
-import {element, KeyedList, setAttribute, setText} from './dom.js';
+import {element, KeyedList, setAttribute, setText} from '../page/dom.js';
 import {guidanceFacts} from './guidance.js';
 import {modemWords} from './modem.js';
 import {SwarmTables} from './panel_swarm.js';
-import {Poller} from './poller.js';
-import {age, clip, heading, quantity, words} from './text.js';
+import {Poller} from '../net/poller.js';
+import {age, clip, heading, quantity, words} from '../page/text.js';
 
 const kWindows_s = [60, 120, 600, 3600];
 

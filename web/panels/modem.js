@@ -1,6 +1,6 @@
 // What the client of a vehicle from outside reported of a packet that its modem received.
 
-import {age, clip, quantity} from './text.js';
+import {age, clip, quantity} from '../page/text.js';
 
 /** The report in words: "packet of bravo, good, rate 1, 3 frames, SNR 23 dB, 2 s ago". */
 export function modemWords(modem, t) {

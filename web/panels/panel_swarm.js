@@ -1,7 +1,7 @@
 // From which vehicles a vehicle receives, and what it knows of its swarm.
 
-import {element, KeyedList, setText} from './dom.js';
-import {age, clip, missionTime, quantity} from './text.js';
+import {element, KeyedList, setText} from '../page/dom.js';
+import {age, clip, missionTime, quantity} from '../page/text.js';
 
 /** What a vehicle knows of one of its swarm, in words. */
 export function contactWords(contact) {

@@ -1,10 +1,10 @@
 // The running list of fates, with filters; the newest first.
 
-import {causeWords} from './causes.js';
-import {element, KeyedList, setText} from './dom.js';
+import {causeWords} from '../page/causes.js';
+import {element, KeyedList, setText} from '../page/dom.js';
 import {fateRow} from './panel_link.js';
-import {Poller} from './poller.js';
-import {clip} from './text.js';
+import {Poller} from '../net/poller.js';
+import {clip} from '../page/text.js';
 
 const kShown = 200;
 

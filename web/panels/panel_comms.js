@@ -1,10 +1,10 @@
 // Comms: the link matrix, one link's history, the fates.
 
-import {element} from './dom.js';
+import {element} from '../page/dom.js';
 import {FatesPanel} from './panel_fates.js';
 import {LinkPanel} from './panel_link.js';
 import {LinkMatrix} from './panel_matrix.js';
-import {Poller} from './poller.js';
+import {Poller} from '../net/poller.js';
 
 export class CommsPanel {
   constructor(page, root) {

@@ -1,8 +1,8 @@
 // Collisions, groundings, all-stops, waypoints, contacts: a list, each a place to go to.
 
-import {element, KeyedList, setAttribute, setText} from './dom.js';
-import {isGrave} from './source.js';
-import {clip, missionTime, words} from './text.js';
+import {element, KeyedList, setAttribute, setText} from '../page/dom.js';
+import {isGrave} from '../net/source.js';
+import {clip, missionTime, words} from '../page/text.js';
 
 const kSigns = {
   collision: '✸', aground: '⏚', all_stop: '⊗', cleared: '▷', first_contact: '⇄', lost_contact: '⇎',

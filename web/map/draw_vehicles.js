@@ -1,7 +1,7 @@
 // The vehicles: hull by type, colour, heading; marks of those that are stale, stopped or selected;
 // and apart from the truth where the broker believes them to be.
 
-import {vehicleColor} from './colors.js';
+import {vehicleColor} from '../page/colors.js';
 import {isNumber} from './geometry.js';
 import {kFont} from './draw_theme.js';
 

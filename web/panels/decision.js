@@ -1,7 +1,7 @@
 // Why a vehicle with behaviors steers as it does: its aims, what each wanted and what it gave up.
 
-import {element, KeyedList, setAttribute, setText} from './dom.js';
-import {age, clip, quantity, words} from './text.js';
+import {element, KeyedList, setAttribute, setText} from '../page/dom.js';
+import {age, clip, quantity, words} from '../page/text.js';
 
 /** A decision older than this no longer counts: the task alone steers, or the vehicle is parked. */
 const kOld_s = 3;

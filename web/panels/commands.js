@@ -1,7 +1,7 @@
 // Orders to vehicles, to the broker and to the mission's clock, and what became of them.
 
-import {element, KeyedList, setAttribute, setText} from './dom.js';
-import {clip, missionTime, quantity} from './text.js';
+import {element, KeyedList, setAttribute, setText} from '../page/dom.js';
+import {clip, missionTime, quantity} from '../page/text.js';
 
 const kOrders = [
   {name: 'deploy', label: 'Deploy', title: 'start the list of tasks, or go on with it'},

@@ -1,8 +1,8 @@
 // The time line of a recorded mission: play, speed, scrub, events as marks.
 
 import {element, setAttribute, setText} from './dom.js';
-import {eventSign} from './panel_events.js';
-import {isGrave, kSpeeds, neighbourEvent} from './source.js';
+import {eventSign} from '../panels/panel_events.js';
+import {isGrave, kSpeeds, neighbourEvent} from '../net/source.js';
 import {clip, missionTime, words} from './text.js';
 
 const kMarks = 400;  // More cannot be distinguished on a screen.

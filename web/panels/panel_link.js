@@ -1,10 +1,10 @@
 // The history of one link: why it failed how often, its ratio and range over time, its last fates.
 
-import {causeWords, fateSign, isBlocked} from './causes.js';
-import {TimeChart} from './charts.js';
-import {element, KeyedList, setText} from './dom.js';
-import {Poller} from './poller.js';
-import {clip, missionTime, ratio} from './text.js';
+import {causeWords, fateSign, isBlocked} from '../page/causes.js';
+import {TimeChart} from '../charts/charts.js';
+import {element, KeyedList, setText} from '../page/dom.js';
+import {Poller} from '../net/poller.js';
+import {clip, missionTime, ratio} from '../page/text.js';
 
 /** The causes with their counts, the most frequent first. */
 export function causeCounts(causes) {

@@ -1,7 +1,7 @@
 // Trails, paler with age, and the swaths that sensors have covered along them. What is older than the picture of the layer is drawn into it, what came
 // since is drawn each time.
 
-import {vehicleColor} from './colors.js';
+import {vehicleColor} from '../page/colors.js';
 
 // Seconds of age, and how opaque what is younger than that is.
 const kFades = [[30, 0.95], [60, 0.8], [120, 0.66], [240, 0.52], [480, 0.4], [Infinity, 0.28]];

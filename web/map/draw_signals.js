@@ -1,7 +1,7 @@
 // Comms pulses and acoustic rings.
 
-import {causeColor} from './causes.js';
-import {kindColor} from './colors.js';
+import {causeColor} from '../page/causes.js';
+import {kindColor} from '../page/colors.js';
 import {circleTouchesBox, pulseTriangle} from './geometry.js';
 
 // More pulses than this are drawn paler, the more the paler: else they would hide each other.

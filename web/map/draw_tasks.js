@@ -1,7 +1,7 @@
 // What the vehicles are at (waypoints, legs, where they steer for), and how far they send and
 // receive.
 
-import {vehicleColor} from './colors.js';
+import {vehicleColor} from '../page/colors.js';
 import {finite, isNumber} from './geometry.js';
 import {kFont} from './draw_theme.js';
 import {addCircle} from './draw_signals.js';

@@ -1,8 +1,8 @@
 // Charts over mission time, which change in place.
 
-import uPlot from './vendor/uPlot.esm.js';
-import {element, setText} from './dom.js';
-import {missionTime, quantity} from './text.js';
+import uPlot from '../vendor/uPlot.esm.js';
+import {element, setText} from '../page/dom.js';
+import {missionTime, quantity} from '../page/text.js';
 
 const kHeight_px = 116;
 const kMorePoints = 5000;  // No answer of the viewer has more.

@@ -1,7 +1,7 @@
 // The links: a table with a row for each sender and a column for each receiver.
 
-import {element, setAttribute, setText} from './dom.js';
-import {age, ratio} from './text.js';
+import {element, setAttribute, setText} from '../page/dom.js';
+import {age, ratio} from '../page/text.js';
 
 const kNames_px = 110;     // For the column of names.
 const kFull_px = 70;       // A cell with room for ratio and age; a smaller one has one sign.
