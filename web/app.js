@@ -32,6 +32,8 @@ const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
 class Page {
   constructor(requests) {
     this.requests = requests;
+    /** @type {any} LiveSource or, with isRecorded, RecordedSource. */
+    this.source = null;
     this.frame = null;
     this.wanted = null;  // {name, t}: a vehicle to centre on when its frame has come.
     this.selected = null;
@@ -137,7 +139,9 @@ class Page {
 
   setTheme(theme) {
     document.documentElement.className = theme;
-    for (const panel of Object.values(this.panels ?? {})) panel.restyle?.();
+    /** @type {{show: (visible: boolean) => void, restyle?: () => void}[]} */
+    const panels = Object.values(this.panels ?? {});
+    for (const panel of panels) panel.restyle?.();
     this.keeper.changed();
   }
 
@@ -283,7 +287,7 @@ class Page {
 async function start() {
   const requests = new Requests(new URLSearchParams(location.search).get('token') ?? '');
   const page = new Page(requests);
-  window.shoalViewer = page;
+  Object.assign(window, {shoalViewer: page});  // For those who look from the console, and tests.
   for (;;) {
     try {
       page.begin(tidySetup(await requests.get('/api/setup')));

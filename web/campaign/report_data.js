@@ -106,7 +106,7 @@ export class Report {
 
   /**
    * Lines over an axis, or over something else (null): one for each value of the other axes.
-   * @returns {lines: [{title, cases}], num: of all lines, of which kMaxLines are in `lines`}
+   * @returns `lines`: [{title, cases}], `num`: of all lines, of which kMaxLines are in `lines`
    */
   linesOf(x, filters) {
     // Over what belongs to a trial the first axis is pooled, so that lines are of policies.
@@ -139,7 +139,7 @@ export function caseNotes(report, number) {
   if (each.stopped) notes.push(`stopped by its rule after ${countText(each.expected)}`);
   if (each.undecidable.length > 0) {
     notes.push(`not decided at the looks ${each.undecidable.join(', ')}: trials have no value of ` +
-      report.data.stop_metric);
+      `${report.data.stop_metric}`);
   }
   return notes;
 }

@@ -87,7 +87,7 @@ function scaleOfTrials(report, choice) {
 
 /**
  * One mark for each trial that can be drawn. Of a share the mark is at the trial's outcome.
- * @returns {marks, scale: of x, without: rows that have no value}
+ * @returns `marks`, `scale`: of x, `without`: rows that have no value
  */
 export function trialMarks(report, quantity, choice, lines) {
   const scale = scaleOfTrials(report, choice);
@@ -114,21 +114,22 @@ export const kOutcomeTicks = kOutcomes.map((text, i) => ({at: 3 - i, text}));
 /**
  * Counts in bins of equal width, the same for all lines; as many bins as the square root of the
  * values of the largest line, 5 to 60.
- * @returns {marks: one for each bin, with the counts by line and the rows, edges, most}
+ * @returns `marks`: one for each bin, with the counts by line and the rows; `most`: the largest
+ *     count; `range`: of the values
  */
 export function histogramMarks(report, quantity, lines) {
   const values = lines.map((line) => line.cases.flatMap((number) => report.rowsOf(number))
     .map((row) => ({row, value: report.value(row, quantity)}))
     .filter(({value}) => value !== null && canBeDrawn(value)));
   const largest = Math.max(0, ...values.map((of) => of.length));
-  if (largest === 0) return {marks: [], most: 0};
+  if (largest === 0) return {marks: [], most: 0, range: undefined};
   const all = values.flatMap((of) => of.map(({value}) => value));
   let [low, high] = rangeOf(all, 0);
   if (!(high > low)) [low, high] = rangeOf(all);
   const num = Math.min(60, Math.max(5, Math.floor(Math.sqrt(largest))));
   const edge = (i) => low + (high - low) * i / num;
   const marks = Array.from({length: num}, (_, i) => ({begin: edge(i), end: edge(i + 1),
-    x: edge(i + 0.5), y: 0, counts: lines.map(() => 0), rows: []}));
+    x: edge(i + 0.5), y: 0, text: '', counts: lines.map(() => 0), rows: []}));
   values.forEach((of, line) => {
     for (const {row, value} of of) {
       const bin = Math.min(num - 1, Math.max(0, Math.floor((value - low) / (high - low) * num)));
@@ -140,7 +141,7 @@ export function histogramMarks(report, quantity, lines) {
     mark.y = Math.max(...mark.counts);
     const unit = quantity.unit ? ` ${quantity.unit}` : '';
     mark.text = `${cellText(mark.begin)} to ${cellText(mark.end)}${unit}: ` +
-      countOf(mark.rows.length, 'trial');
+      `${countOf(mark.rows.length, 'trial')}`;
   }
   return {marks, most: Math.max(...marks.map((mark) => mark.y)), range: [low, high]};
 }

@@ -32,7 +32,7 @@ export function contourLevels(least, greatest, count = 10) {
   const step = roundStep(span / count);
   const levels = [];
   for (let k = Math.ceil(least / step); k * step <= greatest; ++k) {
-    if (k * step > least) levels.push(+(k * step).toPrecision(12));
+    if (k * step > least) levels.push(Number((k * step).toPrecision(12)));
   }
   return levels;
 }

@@ -90,11 +90,15 @@ function drawGrid(ctx, camera, theme) {
     ctx.beginPath();
     for (let k = Math.ceil(camera.left / spacing); k * spacing <= camera.right; ++k) {
       const at = Math.round(camera.sx(k * spacing)) + 0.5;
-      if (keep(k)) ctx.moveTo(at, 0), ctx.lineTo(at, camera.height);
+      if (!keep(k)) continue;
+      ctx.moveTo(at, 0);
+      ctx.lineTo(at, camera.height);
     }
     for (let k = Math.ceil(camera.bottom / spacing); k * spacing <= camera.top; ++k) {
       const at = Math.round(camera.sy(k * spacing)) + 0.5;
-      if (keep(k)) ctx.moveTo(0, at), ctx.lineTo(camera.width, at);
+      if (!keep(k)) continue;
+      ctx.moveTo(0, at);
+      ctx.lineTo(camera.width, at);
     }
     ctx.stroke();
   };
@@ -136,7 +140,7 @@ function drawContours(ctx, camera, theme, contours) {
   ctx.beginPath();
   for (const {level, lines} of contours) {
     for (const line of lines) {
-      let [length, sinceLabel] = [0, kBetweenLabels - kLeastForLabel];
+      let sinceLabel = kBetweenLabels - kLeastForLabel;
       let [px, py] = [camera.sx(line[0]), camera.sy(line[1])];
       let pen = false;
       for (let i = 2; i < line.length; i += 2) {
@@ -148,7 +152,6 @@ function drawContours(ctx, camera, theme, contours) {
         if (seen && step > 0.7) {
           if (!pen) ctx.moveTo(px, py);
           ctx.lineTo(sx, sy);
-          length += step;
           sinceLabel += step;
           if (sinceLabel > kBetweenLabels && sx > kNoLabels && sy > kNoLabels &&
               sx < camera.width - kNoLabels && sy < camera.height - kNoLabels) {

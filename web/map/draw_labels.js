@@ -34,7 +34,7 @@ export function placeLabels(items, width = Infinity, height = Infinity) {
       .sort((a, b) => rankOf(items[b]) - rankOf(items[a]) || a - b);
   const find = (i, form) => {
     const item = items[i];
-    const sides = [0, 1, 2, 3].sort((a, b) => (b === item.side) - (a === item.side));
+    const sides = [0, 1, 2, 3].sort((a, b) => Number(b === item.side) - Number(a === item.side));
     for (const side of sides) {
       const box = boxAt(item, item.sizes[form], side);
       if (box.x < 0 || box.y < 0 || box.x + box.width > width || box.y + box.height > height) {
@@ -85,6 +85,7 @@ function shortened(text, most) {
 
 /** Returns the lines of a vehicle's label: {text, bold, color: which of the theme's}. */
 export function labelLines(vehicle, t) {
+  /** @type {{text: string, bold?: boolean, color?: string}[]} */
   const lines = [{text: shortened(String(vehicle.name), 20), bold: true}];
   const reason = vehicle.helm?.all_stop;
   const why = reason && reason !== 'clear' ? reason : '';

@@ -155,7 +155,7 @@ export function drawRanges(ctx, camera, theme, vehicles, rules, selected) {
 }
 
 function text(radius_m) {
-  return radius_m === null ? '' : `${+radius_m.toFixed(1)} m`;
+  return radius_m === null ? '' : `${Number(radius_m.toFixed(1))} m`;
 }
 
 // Above the circle's highest point (side -1), below its lowest (side 1).

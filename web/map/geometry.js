@@ -60,7 +60,7 @@ export function scaleBarMetres(metresPerPixel, mostPixels = 180) {
 /** "250 m", "2.5 km"; `step` is the difference that has to be seen. */
 export function metresText(metres, step = 1) {
   if (Math.abs(metres) >= 10000 || step >= 1000) {
-    return `${+(metres / 1000).toFixed(step >= 1000 ? 0 : step >= 100 ? 1 : 2)} km`;
+    return `${Number((metres / 1000).toFixed(step >= 1000 ? 0 : step >= 100 ? 1 : 2))} km`;
   }
   const digits = step >= 1 ? 0 : Math.min(3, Math.ceil(-Math.log10(step) - 1e-9));
   return `${metres.toFixed(digits)} m`;

@@ -37,6 +37,8 @@ export class MapView {
   #mark = null;
   #measuring = false;
   #ends = [];         // Of the measured distance.
+  /** @type {string | false} How far the user is with it. */
+  #open = false;
   #shown = {t: 0, vehicles: []};
   #wantFit = true;    // Until a view was asked for, the whole mission is shown.
   #painter = new MapPainter();
@@ -82,6 +84,7 @@ export class MapView {
     return {cx, cy, metresPerPixel, follow: this.#follow, layers: {...this.#layers}};
   }
 
+  /** @param {any} view  as of the getter; what it lacks stays */
   set view(view) {
     if (view?.layers) {
       for (const name of Object.keys(kLayers)) {
@@ -150,6 +153,7 @@ export class MapView {
   measure(on) {
     this.#measuring = Boolean(on);
     this.#ends = [];
+    this.#open = false;
     this.#canvas.style.cursor = this.#measuring ? 'crosshair' : '';
   }
 
@@ -175,9 +179,12 @@ export class MapView {
     ctx.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     this.#paint(ctx, performance.now());
     drawTitle(ctx, this.#camera, this.#theme, this.#setup?.mission, this.#shown.t);
-    return new Promise((resolve, reject) => picture.toBlob(
-        (blob) => blob ? resolve(blob) : reject(new Error('the browser made no PNG')),
-        'image/png'));
+    return new Promise((resolve, reject) => {
+      picture.toBlob((blob) => {
+        if (blob) resolve(blob);
+        else reject(new Error('the browser made no PNG'));
+      }, 'image/png');
+    });
   }
 
   #paint(ctx, nowMs) {
@@ -227,7 +234,7 @@ export class MapView {
 
   #hover(sx, sy) {
     this.#setHovered(this.#vehicleAt(sx, sy));
-    if (this.#measuring && this.#ends.length === 2 && this.#ends.open) this.#moveEnd(sx, sy);
+    if (this.#measuring && this.#ends.length === 2 && this.#open) this.#moveEnd(sx, sy);
     this.#events.onPointer?.(this.#placeAt(sx, sy));
   }
 
@@ -240,23 +247,23 @@ export class MapView {
   // A measured line is open from the first click or press until the second click or the release.
   #press(sx, sy) {
     if (!this.#measuring) return false;
-    if (!this.#ends.open) {
+    if (!this.#open) {
       this.#ends = [this.#placeAt(sx, sy), this.#placeAt(sx, sy)];
-      this.#ends.open = 'pressed';
+      this.#open = 'pressed';
     } else {
       this.#moveEnd(sx, sy);
-      this.#ends.open = 'closing';
+      this.#open = 'closing';
     }
     return true;
   }
 
   #moveEnd(sx, sy) {
-    if (this.#ends.length === 2 && this.#ends.open) this.#ends[1] = this.#placeAt(sx, sy);
+    if (this.#ends.length === 2 && this.#open) this.#ends[1] = this.#placeAt(sx, sy);
   }
 
   #release(sx, sy, moved) {
     this.#moveEnd(sx, sy);
-    this.#ends.open = this.#ends.open === 'pressed' && !moved ? 'clicked' : false;
+    this.#open = this.#open === 'pressed' && !moved ? 'clicked' : false;
   }
 
   #drag(dx, dy) {

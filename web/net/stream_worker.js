@@ -42,7 +42,7 @@ function leave(port) {
   }
 }
 
-self.onconnect = (connection) => {
+self.addEventListener('connect', (/** @type {MessageEvent} */ connection) => {
   const port = connection.ports[0];
   port.onmessage = ({data}) => {
     if (typeof data.open === 'string') {
@@ -58,4 +58,4 @@ self.onconnect = (connection) => {
       }
     }
   };
-};
+});

@@ -88,7 +88,7 @@ function hashOf(name) {
 const kMaxSharing = 3;
 // Squared distance in RGB, each 0 to 1, below which two colours are taken for one.
 const kAlike = 0.13;
-const kGoldenRatio = 0.61803398874989485;
+const kGoldenRatio = 0.6180339887498949;
 
 /** Returns 0xrrggbb no. `index` of a row in which neighbours differ: the palette, then other hues. */
 function rowColor(index) {

@@ -32,8 +32,11 @@ function measure(page) {
   page.map.measure(!page.map.measuring);
 }
 
+/** @returns {HTMLDialogElement} */
+const helpSheet = () => /** @type {HTMLDialogElement} */ (document.getElementById('help'));
+
 function escape(page) {
-  const help = document.getElementById('help');
+  const help = helpSheet();
   if (help.open) help.close();
   else if (page.top.layers.open) page.top.closeLayers();
   else if (page.commands?.aimed) page.commands.aim(null);
@@ -43,7 +46,7 @@ function escape(page) {
 }
 
 function showHelp() {
-  const help = document.getElementById('help');
+  const help = helpSheet();
   if (help.open) help.close();
   else help.showModal();
 }
@@ -114,16 +117,19 @@ export function listenToKeys(page) {
   document.addEventListener('keydown', (event) => {
     if (event.defaultPrevented) return;
     const action = actionOf(event);
-    const help = document.getElementById('help');
+    const help = helpSheet();
     if (action === null || (help.open && action !== 'help' && action !== 'escape')) return;
     event.preventDefault();
     act(page, action);
   });
   // A button that was clicked would take the space bar for itself, and give its order twice.
   document.addEventListener('click', (event) => {
-    if (event.detail > 0) event.target.closest?.('button, summary')?.blur();
+    if (event.detail === 0 || !(event.target instanceof Element)) return;
+    const button = event.target.closest('button, summary');
+    if (button instanceof HTMLElement) button.blur();
   });
-  for (const button of document.querySelectorAll('[data-action]')) {
+  for (const button of /** @type {NodeListOf<HTMLElement>} */ (
+    document.querySelectorAll('[data-action]'))) {
     button.addEventListener('click', () => act(page, button.dataset.action));
   }
 }

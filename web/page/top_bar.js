@@ -65,7 +65,7 @@ export class TopBar {
     this.state = find('clock-state');
     this.connection = find('connection');
     this.banner = find('banner');
-    this.layers = find('layers');
+    this.layers = /** @type {HTMLDetailsElement} */ (find('layers'));
     this.boxes = new Map();
     const rows = kLayers.map(([name, label], i) => {
       const box = element('input', {type: 'checkbox', 'data-layer': name,
@@ -75,7 +75,7 @@ export class TopBar {
     });
     this.layers.querySelector('fieldset').replaceChildren(...rows);
     document.addEventListener('pointerdown', (event) => {
-      if (!this.layers.contains(event.target)) this.layers.open = false;
+      if (!this.layers.contains(/** @type {Node} */ (event.target))) this.layers.open = false;
     });
   }
 
@@ -107,7 +107,7 @@ export class TopBar {
 
   /** How much of a long log has been read, 0 to 1; its begin is shown meanwhile. */
   showIndexing(share) {
-    const bar = document.getElementById('indexing');
+    const bar = /** @type {HTMLProgressElement} */ (document.getElementById('indexing'));
     bar.hidden = !Number.isFinite(share);
     if (!bar.hidden) bar.value = share;
   }

@@ -27,7 +27,7 @@ export class CommsPanel {
     this.fates.show(visible);
   }
 
-  /** @param link  {from, to} or null */
+  /** @param {?{from: string, to: string}} link */
   openLink(link) {
     this.link.open(link);
     this.matrix.choose(link);

@@ -32,13 +32,17 @@ export class LinkPanel {
         element('caption', {}, 'What became of its transmissions'), this.causes),
       this.charts, element('h4', {}, 'Last fates'), this.fates);
     parent.append(this.root);
+    /** @type {?TimeChart} */
+    this.ratioChart = null;
+    /** @type {?TimeChart} */
+    this.rangeChart = null;
     this.causeList = new KeyedList(this.causes, (cause) => this.#causeRow(cause));
     this.fateList = new KeyedList(this.fates, () => fateRow());
     this.poller = new Poller(page.isRecorded ? 300 : 1000, () => this.#ask(), () => (
       page.isRecorded ? `${this.link.from}>${this.link.to}@${page.source.t}` : null));
   }
 
-  /** @param link  {from, to}, or null: none */
+  /** @param {?{from: string, to: string}} link  null: none */
   open(link) {
     const same = link && this.link && link.from === this.link.from && link.to === this.link.to;
     this.link = link;

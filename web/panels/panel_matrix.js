@@ -12,7 +12,7 @@ const kNarrow_px = 388;    // The panel's width where it is not known yet.
 
 /**
  * How large the cells of `count` vehicles are that are seen at once in `width_px`.
- * @returns {compact, cell_px}  compact: one sign and no numbers
+ * @returns {{compact: boolean, cell_px: number}}  compact: one sign and no numbers
  */
 export function cellSize(width_px, count) {
   const each_px = ((width_px > 0 ? width_px : kNarrow_px) - kNames_px) / Math.max(1, count);
@@ -89,7 +89,7 @@ export class LinkMatrix {
     this.choice.hidden = media.length === 0;
   }
 
-  /** @param links  answer of /api/links @param chosen  {from, to} or null */
+  /** @param links  answer of /api/links @param {?{from: string, to: string}} chosen */
   update(links, chosen) {
     this.#offer(mediaToChoose(links));
     const names = Array.isArray(links.names) ? links.names : [];

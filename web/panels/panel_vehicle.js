@@ -74,6 +74,8 @@ export class VehiclePanel {
             ([label, unit]) => element('th', {scope: 'col'}, label,
               unit ? element('small', {}, ` ${unit}`) : null)))), body))),
       this.hint, this.detail);
+    /** @type {?Object<string, TimeChart>} */
+    this.chart = null;
     this.poller = new Poller(page.isRecorded ? 300 : 500, () => this.#ask(), () => (
       page.isRecorded ? `${page.selected} ${this.window.value}@${page.source.t}` : null));
   }

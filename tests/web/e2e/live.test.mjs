@@ -90,11 +90,11 @@ test('Esc closes the menu of layers, also from one of its boxes', async () => {
 test('the address keeps the view', async () => {
   await page.keyboard.press('+');
   const scale = () => page.evaluate(() => globalThis.shoalViewer.map.view.metresPerPixel);
-  const before = await scale();
+  const atFirst = await scale();
   await until('the scale in the address', async () => page.url().includes('#'));
   await page.waitForTimeout(500);
   await page.reload();
-  await until('the same scale', async () => Math.abs(await scale() / before - 1) < 0.02);
+  await until('the same scale', async () => Math.abs(await scale() / atFirst - 1) < 0.02);
 });
 
 test('a key saves the map as a picture', async () => {

@@ -22,8 +22,8 @@ test('a page reconnects after the viewer was restarted', async () => {
   await until('the page shows that it has lost the viewer', async () =>
     /lost|reconnect/i.test(await page.textContent('#connection')));
   await stage.view('--http', new URL(viewer.url).port);
-  const before = await frames();
-  await until('frames again', async () => await frames() > before + 5);
+  const shown = await frames();
+  await until('frames again', async () => await frames() > shown + 5);
   await until('the page shows that it is live', async () =>
     /live/i.test(await page.textContent('#connection')));
 });
