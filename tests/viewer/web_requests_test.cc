@@ -20,6 +20,7 @@ TEST(WebRequests, AreAnsweredWithThePageAndItsSafetyHeaders) {
         "X-Frame-Options: DENY\r\n", "Cache-Control: no-cache\r\n", "Connection: close\r\n"}) {
     EXPECT_TRUE(Has(answer, header)) << header << answer;
   }
+  EXPECT_FALSE(Has(answer, "unsafe-inline")) << answer;
   const std::string data = Ask(served.port(), "/api/setup");
   EXPECT_TRUE(Has(data, "Cache-Control: no-store\r\n")) << data;
   EXPECT_TRUE(Has(data, "Content-Type: application/json\r\n")) << data;

@@ -10,6 +10,8 @@ export function element(tag, attributes = {}, ...children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === false || value === undefined) continue;
     if (typeof value === 'function') made.addEventListener(name.slice(2), value);
+    // Set this way it needs no unsafe-inline of the page's security policy.
+    else if (name === 'style') made.style.cssText = String(value);
     else made.setAttribute(name, value === true ? '' : String(value));
   }
   for (const child of children.flat()) {

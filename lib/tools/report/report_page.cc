@@ -66,9 +66,9 @@ std::string ReportPage(const CampaignResults& results, const ReportTables& table
   // In the order of the frame: what was put in is not looked at again.
   const std::array<std::pair<std::string_view, std::string>, 6> places = {
       std::pair("{{policy}}",
-                "default-src 'none'; img-src data:; style-src 'unsafe-inline'; "
-                "base-uri 'none'; form-action 'none'; script-src " +
-                    ScriptHash(script)),
+                "default-src 'none'; img-src data:; base-uri 'none'; form-action 'none'; "
+                "style-src " +
+                    ScriptHash("\n" + parts.styles + "\n") + "; script-src " + ScriptHash(script)),
       std::pair("{{title}}", HtmlText(results.campaign.file)),
       std::pair("{{styles}}", parts.styles),
       std::pair("{{text}}", HtmlText(ReportText(results, tables, false))),

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lib/tools/campaign/campaign_testing.h"
+#include "lib/tools/report/page_script.h"
 
 namespace shoal {
 
@@ -63,6 +64,14 @@ TEST(ReportPage, TakesNoTextOfAFolderForMarkup) {
   for (const char* part : {"<script", "</script", "</noscript", "<style"}) {
     EXPECT_EQ(CountOf(part, page), CountOf(part, plain)) << part;
   }
+}
+
+TEST(ReportPage, NamesItsStyleByItsHash) {
+  const std::string page = PageOf(OneCase(3));
+  const size_t begin = page.find("<style>") + 7;
+  const std::string style = page.substr(begin, page.find("</style>") - begin);
+  EXPECT_EQ(CountOf("style-src " + ScriptHash(style), page), 1);
+  EXPECT_EQ(CountOf("'unsafe-", page), 0);
 }
 
 TEST(ReportPage, TakesTensOfBytesForATrial) {
