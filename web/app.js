@@ -13,6 +13,7 @@ import {CommsPanel} from './panels/panel_comms.js';
 import {EventsPanel} from './panels/panel_events.js';
 import {StatusPanel} from './panels/panel_status.js';
 import {VehiclePanel} from './panels/panel_vehicle.js';
+import {recordingInPage} from './net/page_recording.js';
 import {openStream, Requests} from './net/requests.js';
 import {LiveSource, RecordedSource} from './net/source.js';
 import {Tabs} from './page/tabs.js';
@@ -285,7 +286,8 @@ class Page {
 }
 
 async function start() {
-  const requests = new Requests(new URLSearchParams(location.search).get('token') ?? '');
+  const requests = await recordingInPage()
+    ?? new Requests(new URLSearchParams(location.search).get('token') ?? '');
   const page = new Page(requests);
   Object.assign(window, {shoalViewer: page});  // For those who look from the console, and tests.
   for (;;) {

@@ -57,6 +57,12 @@ constexpr char kQuiet[] = "No line of progress";
 constexpr char kAllowCommands[] =
     "The page may command vehicles, broker and clock, with the token in its address";
 
+constexpr char kExport[] =
+    "Write the recorded mission as one file of HTML, to be opened without a viewer, and end";
+constexpr char kExportEmpty[] = "it is empty: name the page to write, such as berta.html";
+constexpr char kExportStep[] =
+    "Seconds between the page's frames, 0.05 to 600; default: at most 2000 frames";
+
 /// Where the viewer listens. `needed`: an option that these require.
 void AddAddress(Command command, const std::string& http, const std::string& listen,
                 ViewOptions* view, std::optional<Option> needed) {
@@ -89,6 +95,9 @@ void AddView(Command shoal, CommandAction* action) {
   AddPort(command, &options->port_base).Excludes(log);
   command.AddFlag("--allow-commands", &options->allow_commands, kAllowCommands).Excludes(log);
   AddAddress(command, "--http", "--listen", options.get(), std::nullopt);
+  const Option page = command.AddOption("--export", &options->export_path, kExport);
+  page.Needs(log).Check([](const std::string& text) { return text.empty() ? kExportEmpty : ""; });
+  command.AddOption("--export-step", &options->export_step, kExportStep).Needs(page);
   command.Callback([options, action] { *action = [options] { return RunView(*options); }; });
 }
 

@@ -14,6 +14,7 @@
 #include "apps/viewer/growing_log.h"
 #include "apps/viewer/listening_socket.h"
 #include "apps/viewer/mission_follower.h"
+#include "apps/viewer/page_export.h"
 #include "apps/viewer/page_files.h"
 #include "apps/viewer/view_site.h"
 #include "apps/viewer/web_server.h"
@@ -129,6 +130,12 @@ int RunViewer(const ViewerOptions& options) {
     Result<PageFiles> files = LoadPageFiles(options.web_folder);
     if (!files.ok()) return Fail(kExitUsage, files.error());
     parts.files = std::move(*files);
+  }
+  if (!options.export_path.empty()) {
+    return ExportPage(parts.files, {.log = options.log,
+                                    .mission_file = options.mission_file,
+                                    .path = options.export_path,
+                                    .step_s = options.export_step_s});
   }
   return options.log.empty() ? ServeRunningMission(options, std::move(parts))
                              : ServeLog(options, std::move(parts));

@@ -52,6 +52,17 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
       .AddOption("--mission", &options.mission_file,
                  "Mission file of the log (default: mission.toml beside it)")
       .Needs(log);
+  const Option page = program.AddOption(
+      "--export", &options.export_path,
+      "Write the recorded mission as one file of HTML, to be opened without a viewer, and end");
+  page.Needs(log).Check([](const std::string& text) {
+    return text.empty() ? "it is empty: name the page to write, such as berta.html" : "";
+  });
+  program
+      .AddOption("--export-step", &options.export_step_s,
+                 "Seconds between the page's frames (default: at most 2000 frames)")
+      .InRange(0.05, 600.0)
+      .Needs(page);
   program.ParseOrExit(argc, argv);
   if (interface) {
     std::fputs(InterfaceText({.name = "viewer", .purpose = "", .example = ""}).c_str(), stdout);

@@ -11,8 +11,10 @@ struct ViewerOptions {
   std::optional<int> http_port;  ///< Absent: the first free one from kFirstHttpPort on.
   std::string listen = "127.0.0.1";
   bool allow_commands = false;
-  std::string web_folder;  ///< Empty: the page as it was built in.
-  std::string log;         ///< A recorded mission: its log, or the folder of `shoal run --record`.
+  std::string web_folder;   ///< Empty: the page as it was built in.
+  std::string log;          ///< A recorded mission: its log, or the folder of `shoal run --record`.
+  std::string export_path;  ///< Of the page to write of `log`; empty: serve it.
+  double export_step_s = 0;  ///< Between its frames; 0: chosen by the length.
   std::string mission_file;  ///< Of the log, where it is not beside it.
 };
 

@@ -6,9 +6,11 @@ const known = (names) => Object.fromEntries(names.map((name) => [name, 'readonly
 
 /** Names that browsers define, as far as the page uses them. */
 const browser = known([
-  'AbortController', 'AbortSignal', 'Blob', 'CSS', 'Element', 'Event', 'EventSource',
+  'AbortController', 'AbortSignal', 'Blob', 'CSS', 'DecompressionStream', 'Element', 'Event',
+  'EventSource',
   'HTMLElement', 'Image', 'ImageData', 'MutationObserver', 'Node', 'Path2D', 'ResizeObserver',
-  'SharedWorker', 'URL', 'URLSearchParams', 'addEventListener', 'cancelAnimationFrame',
+  'Response',
+  'SharedWorker', 'URL', 'URLSearchParams', 'addEventListener', 'atob', 'cancelAnimationFrame',
   'clearInterval', 'clearTimeout', 'console', 'devicePixelRatio', 'document', 'fetch',
   'getComputedStyle', 'history', 'location', 'matchMedia', 'navigator', 'performance',
   'removeEventListener', 'requestAnimationFrame', 'self', 'setInterval', 'setTimeout',
@@ -16,7 +18,7 @@ const browser = known([
 ]);
 const node = known([
   'AbortController', 'Buffer', 'URL', 'clearInterval', 'clearTimeout', 'console', 'fetch',
-  'performance', 'process', 'setImmediate', 'setInterval', 'setTimeout',
+  'performance', 'process', 'setImmediate', 'setInterval', 'setTimeout', 'structuredClone',
 ]);
 
 const rules = {

@@ -14,6 +14,8 @@ std::vector<std::string> ViewerArguments(const ViewOptions& options) {
   if (options.http_port) add("--http", std::to_string(*options.http_port));
   if (!options.listen.empty()) add("--listen", options.listen);
   if (options.allow_commands) arguments.emplace_back("--allow-commands");
+  if (!options.export_path.empty()) add("--export", options.export_path);
+  if (!options.export_step.empty()) add("--export-step", options.export_step);
   return arguments;
 }
 

@@ -14,6 +14,8 @@ struct ViewOptions {
   std::optional<int> http_port = {};  ///< 0: any free one; absent: the viewer's default.
   std::string listen = {};            ///< Empty: loopback only.
   bool allow_commands = false;
+  std::string export_path = {};  ///< Of the page to write of `log`; empty: serve it.
+  std::string export_step = {};  ///< Seconds between its frames; empty: chosen by the length.
 };
 
 /// Returns shoal-viewer's arguments.

@@ -14,4 +14,9 @@ TEST(ViewerArguments, NameTheLogOrTheRunningMission) {
             (Words{"--port", "7665", "--listen", "10.0.0.1", "--allow-commands"}));
 }
 
+TEST(ViewerArguments, NameThePageToWrite) {
+  EXPECT_EQ(ViewerArguments({.log = "a.lcm", .export_path = "a.html", .export_step = "0.5"}),
+            (Words{"--log", "a.lcm", "--export", "a.html", "--export-step", "0.5"}));
+}
+
 }  // namespace shoal::viewer_arguments_test

@@ -4,6 +4,20 @@
 
 namespace shoal {
 
+namespace {
+
+/// Writes a range; null where it is not known, or there is no limit: negative, or not finite.
+void WriteMetres(std::string_view key, double metres, JsonWriter* json) {
+  json->Key(key);
+  if (metres >= 0) {
+    json->Number(metres, kCentimetres);
+  } else {
+    json->Null();
+  }
+}
+
+}  // namespace
+
 std::string FatesJson(const FateHistory& history, const FateQuery& query, const Scene& scene) {
   JsonWriter json;
   json.BeginObject().Key("fates");
@@ -34,6 +48,8 @@ void WriteFates(const std::vector<const KeptFate*>& fates, const Scene& scene, J
         .Text("cause", CauseText(fate->facts.cause))
         .Text("rule", OverrideText(fate->facts.override_rule))
         .Text("text", FateText(fate->view()));
+    WriteMetres("range_m", fate->facts.range_m, json);
+    WriteMetres("limit_m", fate->facts.limit_m, json);
     if (!fate->medium.empty()) json->Text("medium", fate->medium);
     json->EndObject();
   }

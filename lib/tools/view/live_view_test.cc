@@ -303,7 +303,8 @@ TEST_F(LiveViewTest, ShowsFatesWithTheNumbersThatDecided) {
   EXPECT_EQ(json::parse(view_.FatesJson({}, 0)), json::parse(R"({
       "fates": [{"id": 1, "t": 12.1, "kind": "report", "source": "alpha", "destination": "bravo",
                  "count": 1, "number": 24, "cause": "out_of_range", "rule": "",
-                 "text": "alpha to bravo: out of range, 312.4 m of 250.0 m"}],
+                 "text": "alpha to bravo: out of range, 312.4 m of 250.0 m",
+                 "range_m": 312.4, "limit_m": 250}],
       "kinds": ["report"], "causes": ["out_of_range"], "forgotten": 0})"));
   EXPECT_TRUE(
       json::parse(view_.FatesJson(Asked([](FateQuery& q) { q.vehicle = "charlie"; }), 0))["fates"]

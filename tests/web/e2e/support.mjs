@@ -73,10 +73,12 @@ export class Stage {
     this.browser = await this.launch;
     const context = await this.browser.newContext({ viewport: size, acceptDownloads: true });
     const page = await context.newPage();
-    const own = url && new URL(url).host;
+    // A page from the disk has no host of its own, and asks for nothing but itself.
+    const own = url && url.startsWith('http') ? new URL(url).host : null;
     page.on('request', (request) => {
       const asked = new URL(request.url());
-      if (asked.host !== own && !['data:', 'blob:'].includes(asked.protocol)) {
+      const isPage = request.isNavigationRequest() && asked.protocol === 'file:';
+      if (!isPage && asked.host !== own && !['data:', 'blob:'].includes(asked.protocol)) {
         this.outside.push(request.url());
       }
     });
