@@ -10,6 +10,7 @@ import {fillHelp} from './page/help.js';
 import {listenToKeys, showPressed} from './page/keys.js';
 import {MapView} from './map/map_view.js';
 import {CommsPanel} from './panels/panel_comms.js';
+import {DataPanel} from './panels/panel_data.js';
 import {EventsPanel} from './panels/panel_events.js';
 import {StatusPanel} from './panels/panel_status.js';
 import {VehiclePanel} from './panels/panel_vehicle.js';
@@ -79,6 +80,7 @@ class Page {
     this.panels = {
       vehicle: new VehiclePanel(this, find('panel-vehicle')),
       comms: new CommsPanel(this, find('panel-comms')),
+      data: new DataPanel(this, find('panel-data')),
       status: new StatusPanel(this, find('panel-status')),
       events: new EventsPanel(this, find('panel-events')),
     };
@@ -107,6 +109,7 @@ class Page {
     this.selected = name;
     this.map.select(name);
     this.panels.vehicle.select(name);
+    this.panels.data.select(name);
     this.commands.select(name);
     if (this.frame) this.panels.vehicle.frame(this.frame);
     this.keeper.changed();

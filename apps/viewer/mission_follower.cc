@@ -41,6 +41,11 @@ std::shared_ptr<ViewSource> MissionFollower::source() const {
   return {now, &now->view()};
 }
 
+std::shared_ptr<ChannelSource> MissionFollower::channels() const {
+  const std::shared_ptr<MissionSession> now = session();
+  return {now, &now->channels()};
+}
+
 std::string MissionFollower::StatusJson() { return session()->StatusJson(MonotonicMicroseconds()); }
 
 WebAnswer MissionFollower::Command(const CommandWords& words) { return session()->Command(words); }

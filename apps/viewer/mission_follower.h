@@ -36,6 +36,7 @@ class MissionFollower {
 
   // From any thread:
   std::shared_ptr<ViewSource> source() const;
+  std::shared_ptr<ChannelSource> channels() const;
   std::string StatusJson();
   WebAnswer Command(const CommandWords& words);
 

@@ -142,13 +142,11 @@ void MissionSession::Work(int64_t now_us) {
   if (communities_ && now_us >= next_communities_us_) {
     next_communities_us_ = now_us + kCommunitiesInterval_us;
     const auto handle = [this](int, std::string_view channel, std::span<const uint8_t> datagram) {
-      const Unsealed unsealed = Unseal(datagram);
-      if (unsealed.seal && unsealed.seal->mission_id != running_.mission_id) return;
-      if (secret_ && unsealed.seal && !IsGenuine(unsealed, *secret_, channel)) return;
-      view_->Handle(channel, unsealed.message);
+      if (const auto message = MessageIn(channel, datagram)) view_->Handle(channel, *message);
     };
     communities_->Poll(0, -1, handle);
   }
+  FollowAllChannels();
   if (clock_received_us_ != 0 && now_us - clock_received_us_ > kClockSilence_us) {
     clock_received_us_ = 0;
     view_->SetClockGone("silent");
@@ -170,6 +168,30 @@ void MissionSession::Work(int64_t now_us) {
   ShowCommands();
 }
 
+std::optional<std::span<const uint8_t>> MissionSession::MessageIn(
+    std::string_view channel, std::span<const uint8_t> datagram) const {
+  const Unsealed unsealed = Unseal(datagram);
+  if (unsealed.seal && unsealed.seal->mission_id != running_.mission_id) return std::nullopt;
+  if (secret_ && unsealed.seal && !IsGenuine(unsealed, *secret_, channel)) return std::nullopt;
+  return unsealed.message;
+}
+
+void MissionSession::FollowAllChannels() {
+  if (!channels_.Wants()) {
+    all_channels_.reset();
+    return;
+  }
+  if (!all_channels_) {
+    all_channels_ = std::make_unique<LcmReceiver>();
+    for (const int port : running_.Ports().DataPorts()) all_channels_->ListenToAll(port);
+  }
+  const double t_s = Seconds(utime_ - mission_.start_utime);
+  all_channels_->Poll(0, -1, [&](int, std::string_view channel, std::span<const uint8_t> datagram) {
+    const auto message = MessageIn(channel, datagram);
+    if (message) channels_.Take(channel, *message, t_s);
+  });
+}
+
 void MissionSession::ShowCommands() {
   std::vector<CommandRecord> records = desk_->records();
   if (std::equal(records.begin(), records.end(), shown_.begin(), shown_.end(), AreEqual)) return;
@@ -184,6 +206,7 @@ void MissionSession::Leave(std::string_view state) {
   }
   bus_.reset();
   communities_.reset();
+  all_channels_.reset();
   joined_ = false;
   view_->SetClockGone(state);
 }

@@ -10,9 +10,12 @@
 #include <cstdint>
 #include <memory>
 #include <mutex>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "apps/viewer/live_channels.h"
 #include "apps/viewer/status_board.h"
 #include "apps/viewer/view_request.h"
 #include "apps/viewer/web_request.h"
@@ -20,6 +23,7 @@
 #include "lib/bus/bus/lcm_receiver.h"
 #include "lib/mission/model/mission.h"
 #include "lib/run/orders/command_desk.h"
+#include "lib/run/run/run_app.h"
 #include "lib/run/run/run_registry.h"
 #include "lib/tools/view/live_view.h"
 
@@ -48,6 +52,7 @@ class MissionSession {
 
   // From any thread:
   LiveView& view() { return *view_; }
+  LiveChannels& channels() { return channels_; }
   std::string StatusJson(int64_t now_us) { return board_.Json(now_us); }
   WebAnswer Command(const CommandWords& words);
 
@@ -56,6 +61,10 @@ class MissionSession {
   void TakeClock(const Message& message);
   void TakeRules(const Message& message);
   void ShowCommands();
+  void FollowAllChannels();
+  /// Returns the message in `datagram`; nothing where it is of another mission, or not genuine.
+  std::optional<std::span<const uint8_t>> MessageIn(std::string_view channel,
+                                                    std::span<const uint8_t> datagram) const;
 
   RunningMission running_;
   std::vector<std::string> notes_;
@@ -76,6 +85,8 @@ class MissionSession {
   std::optional<MissionSecret> secret_;
   std::unique_ptr<LcmReceiver> communities_;  ///< Absent in the `shared` layout.
   int64_t next_communities_us_ = 0;
+  LiveChannels channels_{MonotonicMicroseconds};
+  std::unique_ptr<LcmReceiver> all_channels_;  ///< Of everything, while a page asks for channels.
 
   std::mutex desk_mutex_;  ///< Of desk_, which is destroyed when the mission ends.
   std::unique_ptr<CommandDesk> desk_;

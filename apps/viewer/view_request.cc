@@ -18,6 +18,7 @@ namespace {
 
 constexpr size_t kLongestNumber = 40;
 constexpr size_t kLongestName = 64;
+constexpr size_t kLongestField = 300;
 constexpr size_t kLongestWord = 1000;
 constexpr size_t kMaxWords = 64;
 
@@ -64,15 +65,15 @@ class QueryReader {
     }
   }
 
-  void Name(const char* name, bool is_required, std::string* value) {
+  void Name(const char* name, bool is_required, std::string* value, size_t longest = kLongestName) {
     const auto found = query_.find(name);
     if (found == query_.end()) {
       if (is_required) Refuse(fmt::format("this query needs {}=NAME", name));
       return;
     }
     const std::string& text = found->second;
-    if (text.size() > kLongestName || !IsPrintable(text) || (is_required && text.empty())) {
-      Refuse(fmt::format("{} must be a name of at most {} letters, not {}", name, kLongestName,
+    if (text.size() > longest || !IsPrintable(text) || (is_required && text.empty())) {
+      Refuse(fmt::format("{} must be a name of at most {} letters, not {}", name, longest,
                          Quoted(text)));
     } else {
       *value = text;
@@ -148,6 +149,16 @@ Result<VehicleQuery> ParseVehicleQuery(const QueryWords& query) {
   reader.Time(&vehicle.t_s);
   reader.Number("window", 1.0, 3600.0, &vehicle.window_s);
   return reader.Conclude(std::move(vehicle));
+}
+
+Result<ChannelQuery> ParseChannelQuery(const QueryWords& query, const char* word,
+                                       bool is_required) {
+  QueryReader reader(query, {word, "window"});
+  ChannelQuery channel;
+  reader.Name(word, is_required, &channel.name, kLongestField);
+  reader.Time(&channel.t_s);
+  reader.Number("window", 1.0, 1e7, &channel.window_s);
+  return reader.Conclude(std::move(channel));
 }
 
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query) {

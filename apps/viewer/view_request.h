@@ -33,6 +33,13 @@ struct VehicleQuery {
   double window_s = 120;
 };
 
+/// Of the channels: a channel, a field, or the text of a search.
+struct ChannelQuery {
+  std::string name;
+  double t_s = kNoTimeGiven_s;
+  double window_s = 120;
+};
+
 struct TimedFateQuery {
   FateQuery fates;
   double t_s = kNoTimeGiven_s;
@@ -50,6 +57,8 @@ Result<double> ParseTimeQuery(const QueryWords& query);
 Result<LinksQuery> ParseLinksQuery(const QueryWords& query);
 Result<LinkQuery> ParseLinkQuery(const QueryWords& query);
 Result<VehicleQuery> ParseVehicleQuery(const QueryWords& query);
+/// `word`: how the query calls the name, which may be empty unless it `is_required`.
+Result<ChannelQuery> ParseChannelQuery(const QueryWords& query, const char* word, bool is_required);
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query);
 
 /// Reads the body of POST /api/command.

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "lib/mission/toml/suggest.h"
 
 namespace shoal {
@@ -25,6 +27,12 @@ WebAnswer NoSuchPath(const std::string& path) {
   return ErrorAnswer(404, fmt::format("there is no {} here", Quoted(path)));
 }
 
+/// What is asked of a channel, by how the query calls it.
+const std::map<std::string, const char*> kChannelPaths = {{"/api/channels", "text"},
+                                                          {"/api/message", "channel"},
+                                                          {"/api/fields", "text"},
+                                                          {"/api/series", "field"}};
+
 }  // namespace
 
 std::optional<WebAnswer> ViewSite::Deny(const WebRequest& request) {
@@ -42,6 +50,19 @@ WebAnswer ViewSite::Reply(const WebRequest& request) {
   return {.content_type = file->second.content_type,
           .cache_control = "no-cache",
           .body = file->second.bytes};
+}
+
+WebAnswer ViewSite::ReplyOfChannels(const WebRequest& request) {
+  const std::string& path = request.path;
+  const bool needs_name = path == "/api/message" || path == "/api/series";
+  const auto asked = ParseChannelQuery(request.query, kChannelPaths.at(path), needs_name);
+  return Answer(asked, [&](const ChannelQuery& query) {
+    const std::shared_ptr<ChannelSource> channels = parts_.channels();
+    if (path == "/api/channels") return Json(channels->ChannelsJson(query.t_s));
+    if (path == "/api/fields") return Json(channels->FieldsJson(query.name, query.t_s));
+    if (path == "/api/message") return OrNotFound(channels->MessageJson(query.name, query.t_s));
+    return OrNotFound(channels->SeriesJson(query.name, query.t_s, query.window_s));
+  });
 }
 
 WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
@@ -73,6 +94,7 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
       return OrNotFound(source->VehicleJson(asked.name, asked.t_s, asked.window_s));
     });
   }
+  if (parts_.channels && kChannelPaths.contains(path)) return ReplyOfChannels(request);
   return Answer(ParseTimeQuery(query), [&](double t_s) {
     if (path == kStreamPath && parts_.is_live) return WebAnswer{.is_stream = true};
     if (path == "/api/status" && parts_.status) return Json(parts_.status());

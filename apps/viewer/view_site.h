@@ -8,6 +8,7 @@
 #include <string>
 
 #include "apps/viewer/access.h"
+#include "apps/viewer/channel_source.h"
 #include "apps/viewer/page_files.h"
 #include "apps/viewer/view_request.h"
 #include "apps/viewer/web_server.h"
@@ -22,6 +23,7 @@ struct ViewSiteParts {
   AccessRules access = {};
   bool is_live = false;
   std::function<std::shared_ptr<ViewSource>()> source = {};          ///< The current one.
+  std::function<std::shared_ptr<ChannelSource>()> channels = {};     ///< The current one.
   std::function<std::string()> status = {};                          ///< Answers /api/status.
   std::function<WebAnswer(const CommandWords& words)> command = {};  ///< Carries out an order.
 };
@@ -35,6 +37,7 @@ class ViewSite : public WebSite {
 
  private:
   WebAnswer ReplyWithData(const WebRequest& request);
+  WebAnswer ReplyOfChannels(const WebRequest& request);
 
   const ViewSiteParts parts_;
 };

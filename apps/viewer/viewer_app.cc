@@ -16,6 +16,7 @@
 #include "apps/viewer/mission_follower.h"
 #include "apps/viewer/page_export.h"
 #include "apps/viewer/page_files.h"
+#include "apps/viewer/recorded_channels.h"
 #include "apps/viewer/view_site.h"
 #include "apps/viewer/web_server.h"
 #include "lib/base/check/result.h"
@@ -101,6 +102,8 @@ int ServeLog(const ViewerOptions& options, ViewSiteParts parts) {
       GrowingLog::Open(options.log, options.mission_file, MonotonicMicroseconds);
   if (!log.ok()) return Fail(kExitUsage, log.error());
   parts.source = [&shown = **log] { return shown.source(); };
+  parts.channels = [channels = std::make_shared<RecordedChannels>(
+                        options.log, options.mission_file)] { return channels; };
   EventHub hub;
   return Serve(options, std::move(parts), hub, nullptr);
 }
@@ -111,6 +114,7 @@ int ServeRunningMission(const ViewerOptions& options, ViewSiteParts parts) {
       {.port_base = options.port_base, .allow_commands = options.allow_commands}, hub);
   parts.is_live = true;
   parts.source = [&follower] { return follower.source(); };
+  parts.channels = [&follower] { return follower.channels(); };
   parts.status = [&follower] { return follower.StatusJson(); };
   parts.command = [&follower](const CommandWords& words) { return follower.Command(words); };
   return Serve(options, std::move(parts), hub, &follower);

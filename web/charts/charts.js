@@ -5,7 +5,7 @@ import {element, setText} from '../page/dom.js';
 import {missionTime, quantity} from '../page/text.js';
 
 const kHeight_px = 116;
-const kMorePoints = 5000;  // No answer of the viewer has more.
+const kMorePoints = 20000;  // No answers of the viewer in one chart have more.
 
 /**
  * Makes columns that uPlot can draw of an answer that may be anything: as long as `t`, numbers or
@@ -76,7 +76,8 @@ export class TimeChart {
   /**
    * @param options  title, unit, digits, span: the least that the axis covers, inverted: values
    *                 grow downward, isHeading, floor: the axis never begins below,
-   *                 series: [{label, color: a custom property of the page, dash}], bars
+   *                 series: [{label, color: a custom property of the page, dash}], bars,
+   *                 gaps: false draws lines over missing values, metres: the axis is a distance
    */
   constructor(parent, options) {
     this.options = options;
@@ -139,6 +140,7 @@ export class TimeChart {
       ],
       series: [{}, ...series.map(({label, color, dash}) => ({
         label, stroke: themeColor(color), width: 2, dash: dash ? [6, 4] : undefined,
+        spanGaps: this.options.gaps === false,
         points: {show: false},
         paths,
       }))],

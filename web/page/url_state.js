@@ -2,10 +2,12 @@
 //
 //   #x=12&y=-150&mpp=0.5&follow=alpha&select=alpha&layers=trails,names&tab=comms&t=93.5&theme=light
 
+import {readPlots, writePlots} from '../charts/field_series.js';
+
 const kMaxName = 64;
 const kMaxPosition_m = 1e7;
 
-export const kTabs = ['vehicle', 'comms', 'status', 'events', 'commands'];
+export const kTabs = ['vehicle', 'comms', 'data', 'status', 'events', 'commands'];
 export const kThemes = ['dark', 'light'];
 
 /**
@@ -38,6 +40,7 @@ export function readHash(hash, layerNames) {
     layers: layers === null ? null
         : Object.fromEntries(layerNames.map((layer) => [layer, listed.includes(layer)])),
     tab: oneOf('tab', kTabs),
+    plots: query.has('plots') ? readPlots(query.get('plots')) : null,
     t: number('t', -1e12, 1e12),
     theme: oneOf('theme', kThemes),
   };
@@ -63,6 +66,7 @@ export function writeHash(state) {
     put('layers', Object.keys(state.layers).filter((layer) => state.layers[layer]).join(','));
   }
   put('tab', state.tab);
+  put('plots', writePlots(state.plots ?? []));
   put('t', rounded(state.t, 2));
   put('theme', state.theme);
   return `#${query.toString().replaceAll('%2C', ',')}`;

@@ -1,5 +1,6 @@
 // Keeps the view in the page's address, and takes it from there.
 
+import {writePlots} from '../charts/field_series.js';
 import {kLayers} from './top_bar.js';
 import {readHash, writeHash} from './url_state.js';
 
@@ -38,6 +39,10 @@ export class ViewKeeper {
       this.wanted = state.select;
     }
     if (state.from !== null && state.to !== null) page.openLink(state.from, state.to);
+    const plots = state.plots ?? [];
+    if (writePlots(plots) !== writePlots(page.panels.data.plots)) {
+      page.panels.data.setPlots(plots);
+    }
     if (state.layers) page.map.view = {layers: state.layers};
     page.top.showLayers(page.map.view.layers);
     this.#place(state);
@@ -79,6 +84,7 @@ export class ViewKeeper {
     return {
       x: cx, y: cy, metresPerPixel, follow, select: page.selected, from: page.link?.from,
       to: page.link?.to, layers: sameLayers ? null : layers, tab: page.tabs.current,
+      plots: page.panels.data.plots,
       t: page.isRecorded ? page.source.t : null, theme: document.documentElement.className,
     };
   }

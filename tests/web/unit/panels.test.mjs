@@ -16,7 +16,7 @@ test('a chart gets columns as long as its times, which grow, whatever came', () 
   assert.deepEqual(cleanColumns([1, 1, 0, 2, NaN, 3], [[5, 6, 7, null], 'nonsense']),
     [[1, 2, 3], [5, null, null], [null, null, null]]);
   assert.deepEqual(cleanColumns(undefined, [undefined]), [[], []]);
-  assert.equal(cleanColumns(Array.from({length: 1e5}, (_, i) => i), [])[0].length, 5000);
+  assert.equal(cleanColumns(Array.from({length: 1e5}, (_, i) => i), [])[0].length, 20000);
 });
 
 test('a line of headings is broken at North and at gaps', () => {

@@ -9,7 +9,7 @@ test('what is written is read again', () => {
   const state = {
     x: 12.5, y: -150, metresPerPixel: 0.5, follow: 'alpha', select: 'bravo', from: 'alpha',
     to: 'bravo', layers: {trails: true, names: false, grid: true}, tab: 'comms', t: 93.5,
-    theme: 'light',
+    theme: 'light', plots: [['NAV_ALPHA:x_m', 'NAV_BRAVO:x_m'], ['A:b']],
   };
   assert.deepEqual(readHash(writeHash(state), kLayers), state);
 });
