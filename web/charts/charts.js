@@ -120,7 +120,7 @@ export class TimeChart {
   #make() {
     const width = this.place.clientWidth;
     if (width < 40) return;
-    const {series, span, inverted, floor, bars, isHeading} = this.options;
+    const {series, span, inverted, floor, bars, isHeading, metres} = this.options;
     const paths = isHeading ? headingPaths : bars ? uPlot.paths.stepped({align: 1}) : undefined;
     const degrees = isHeading ? {incrs: [5, 10, 30, 90, 180],
       values: (_, ticks) => ticks.map((tick) => `${tick}°`)} : {};
@@ -129,13 +129,14 @@ export class TimeChart {
       grid: {stroke: line, width: 1}, ticks: {stroke: line, width: 1}};
     this.plot = new uPlot({
       width, height: kHeight_px, legend: {show: false}, padding: [6, 18, 0, 0],
-      cursor: {sync: {key: 'time'}, drag: {x: false, y: false}, y: false},
+      cursor: {...(metres ? {} : {sync: {key: 'time'}}), drag: {x: false, y: false}, y: false},
       scales: {
         x: {time: false},
         y: {dir: inverted ? -1 : 1, range: (_, low, high) => axisRange(low, high, span, floor)},
       },
       axes: [
-        {...axis, size: 24, space: 60, values: (_, ticks) => ticks.map((t) => missionTime(t, 0))},
+        {...axis, size: 24, space: 60, values: (_, ticks) => ticks.map((x) => (
+          metres ? quantity(x, 0, 'm') : missionTime(x, 0)))},
         {...axis, size: 46, space: 24, ...degrees},
       ],
       series: [{}, ...series.map(({label, color, dash}) => ({
@@ -159,12 +160,14 @@ export class TimeChart {
   #showValues() {
     const pointed = this.plot?.cursor.idx;
     const isPointed = Number.isInteger(pointed);
-    const {digits, unit} = this.options;
+    const {digits, unit, metres} = this.options;
     this.values.forEach((value, i) => {
       const column = this.data[i + 1];
       const index = isPointed ? pointed : column.length - 1;
       setText(value, quantity(column[index], digits, unit));
     });
-    setText(this.when, isPointed ? `at ${missionTime(this.data[0][pointed], 1)}` : '');
+    const at = isPointed ? this.data[0][pointed] : null;
+    setText(this.when, !isPointed ? '' : metres ? `at ${quantity(at, 0, 'm')}`
+      : `at ${missionTime(at, 1)}`);
   }
 }

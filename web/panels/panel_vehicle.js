@@ -1,6 +1,7 @@
 // The list of vehicles and, of the chosen one, what it does, its charts and what it knows.
 
 import {TimeChart} from '../charts/charts.js';
+import {depthSection, isWorthShowing} from '../charts/depth_section.js';
 import {DecisionTable} from './decision.js';
 import {element, KeyedList, setAttribute, setText} from '../page/dom.js';
 import {guidanceFacts} from './guidance.js';
@@ -189,7 +190,16 @@ export class VehiclePanel {
     this.chart.heading.setData(t, [answer.heading, answer.desired_heading]);
     this.chart.speed.setData(t, [answer.speed, answer.desired_speed]);
     this.chart.depth.setData(t, [answer.depth, answer.desired_depth]);
+    const section = depthSection(answer, this.page.world.trail(name, this.#now()),
+      this.page.setup.floor);
+    this.chart.section.root.hidden = !isWorthShowing(section);
+    this.chart.section.setData(section.way_m, [section.depth, section.desired, section.floor]);
     this.swarm.update(answer);
+  }
+
+  /** The time that the map shows. */
+  #now() {
+    return this.page.isRecorded ? this.page.source.t : this.page.frame?.t ?? 0;
   }
 
   #makeCharts() {
@@ -200,6 +210,9 @@ export class VehiclePanel {
       heading: chart({title: 'Heading', unit: '°', digits: 1, span: 20, isHeading: true}),
       speed: chart({title: 'Speed', unit: 'm/s', digits: 2, span: 1}),
       depth: chart({title: 'Depth', unit: 'm', digits: 1, span: 2, inverted: true}),
+      section: new TimeChart(this.charts, {title: 'Depth along the track', unit: 'm', digits: 1,
+        span: 2, inverted: true, metres: true, series: [...series,
+          {label: 'floor', color: '--chart-6'}]}),
     };
   }
 }
