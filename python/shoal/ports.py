@@ -29,6 +29,11 @@ SHORE_CHANNELS = frozenset(
         "COMMS_RULES",
         "COMMS_RULES_NOW",
         "VIEW_COMMS_PULSE",
+        "VIEW_POINT",
+        "VIEW_POLYGON",
+        "VIEW_SEGLIST",
+        "VIEW_CIRCLE",
+        "VIEW_TEXT",
     }
 )
 

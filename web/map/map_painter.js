@@ -1,5 +1,6 @@
 // Puts the map together from its layers: sea floor, pulses, tasks, trails, vehicles, labels.
 
+import {drawDrawings, tidyDrawings} from './draw_drawings.js';
 import {FloorPicture, drawGridNumbers, drawGround} from './draw_ground.js';
 import {LabelLayer} from './draw_labels.js';
 import {drawMark, drawMeasure, drawNorth, drawScaleBar} from './draw_overlay.js';
@@ -77,6 +78,8 @@ export class MapPainter {
   #trails = new MapLayer();
   #trailStamp = {version: -1, until: Infinity, count: 0};
   #labels = new LabelLayer();
+  #drawings = [];
+  #drawingsFor = null;
 
   setWorld(world, setup) {
     this.#world = world;
@@ -115,6 +118,9 @@ export class MapPainter {
       if (layers.pulses) this.#paintPulses(ctx, view, t, nowMs);
       if (layers.tasks) this.#paintTasks(ctx, view, vehicles, nowMs);
       if (layers.trails) this.#paintTrails(ctx, view, shown, nowMs);
+      if (layers.drawings) {
+        drawDrawings(ctx, camera, theme, this.#drawingsOf(this.#world.frame));
+      }
       if (layers.ranges) {
         drawRanges(ctx, camera, theme, vehicles, this.#world.rules, view.selected);
       }
@@ -133,6 +139,14 @@ export class MapPainter {
     if (view.ends.length === 2) drawMeasure(ctx, camera, theme, view.ends);
     drawScaleBar(ctx, camera, theme);
     drawNorth(ctx, camera, theme);
+  }
+
+  #drawingsOf(frame) {
+    if (this.#drawingsFor !== frame) {
+      this.#drawingsFor = frame;
+      this.#drawings = tidyDrawings(frame?.drawings);
+    }
+    return this.#drawings;
   }
 
   #show(layer, ctx, {camera, ratio, theme}, key, nowMs, draw) {

@@ -15,7 +15,7 @@ import {placesToFit} from './map_places.js';
 
 const kLayers = {
   trails: true, reported: true, tasks: true, ranges: false, pulses: true, rings: true,
-  contours: true, area: true, grid: true, names: true,
+  contours: true, area: true, grid: true, names: true, drawings: true,
 };
 const kHit = 16;
 const kMaxPixels = 16e6;

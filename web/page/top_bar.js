@@ -9,7 +9,7 @@ const kStates = {
   silent: '⚠ launcher silent', recorded: '● recorded',
 };
 
-/** The layers in the order of their keys 1 to 9, 0. */
+/** The layers in the order of their keys 1 to 9, 0; those behind have none. */
 export const kLayers = [
   ['trails', 'Trails: where vehicles were'],
   ['reported', 'Reported positions, with their age'],
@@ -21,7 +21,10 @@ export const kLayers = [
   ['area', 'Areas: of operations, surveyed, covered'],
   ['grid', 'Grid'],
   ['names', 'Names, modes, depths'],
+  ['drawings', 'Drawings of programs'],
 ];
+
+const kNumKeys = 10;
 
 /** State and speed of the mission's clock, in words. */
 export function clockWords(clock) {
@@ -71,7 +74,8 @@ export class TopBar {
       const box = element('input', {type: 'checkbox', 'data-layer': name,
         onchange: () => onLayer(name, box.checked)});
       this.boxes.set(name, box);
-      return element('label', {}, box, element('kbd', {}, String((i + 1) % 10)), ` ${label}`);
+      const key = i < kNumKeys ? element('kbd', {}, String((i + 1) % kNumKeys)) : null;
+      return element('label', {}, box, key, ` ${label}`);
     });
     this.layers.querySelector('fieldset').replaceChildren(...rows);
     document.addEventListener('pointerdown', (event) => {

@@ -71,6 +71,11 @@
 #include "shoal/unc_control_t.hpp"
 #include "shoal/unc_controls_req_t.hpp"
 #include "shoal/unc_controls_t.hpp"
+#include "shoal/view_circle_t.hpp"
+#include "shoal/view_point_t.hpp"
+#include "shoal/view_polygon_t.hpp"
+#include "shoal/view_seglist_t.hpp"
+#include "shoal/view_text_t.hpp"
 #include "shoal/water_sample_t.hpp"
 #include "shoal_test/deep/empty_t.hpp"
 #include "shoal_test/deep/point_t.hpp"
@@ -124,7 +129,8 @@ TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
                 navigation_t, node_message_t, node_report_t, relay_t, resend_t, sim_command_t,
                 sonar_beam_t, sonar_t, step_count_t, step_done_t, step_dones_t, step_total_t,
                 swarm_contact_t, swarm_count_t, swarm_source_t, swarm_t, tick_t, unc_control_t,
-                unc_controls_req_t, unc_controls_t, water_sample_t>("shoal");
+                unc_controls_req_t, unc_controls_t, view_circle_t, view_point_t, view_polygon_t,
+                view_seglist_t, view_text_t, water_sample_t>("shoal");
   EXPECT_EQ(Fingerprints(ShoalSchema()), generated) << "a new type? Add it to this test";
 }
 

@@ -94,6 +94,11 @@ Channel<comms_media_t> CommsMedia() { return {std::string(topics::kCommsMedia)};
 Channel<broker_rules_t> CommsRules() { return {std::string(topics::kCommsRules)}; }
 Channel<broker_rules_t> CommsRulesNow() { return {std::string(topics::kCommsRulesNow)}; }
 Channel<comms_pulses_t> ViewCommsPulse() { return {std::string(topics::kViewCommsPulse)}; }
+Channel<view_point_t> ViewPoint() { return {std::string(topics::kViewPoint)}; }
+Channel<view_polygon_t> ViewPolygon() { return {std::string(topics::kViewPolygon)}; }
+Channel<view_seglist_t> ViewSeglist() { return {std::string(topics::kViewSeglist)}; }
+Channel<view_circle_t> ViewCircle() { return {std::string(topics::kViewCircle)}; }
+Channel<view_text_t> ViewText() { return {std::string(topics::kViewText)}; }
 Channel<modem_stats_t> ModemStats() { return {std::string(topics::kModemStats)}; }
 Channel<appcast_t> Appcast() { return {std::string(topics::kAppcast)}; }
 
@@ -186,6 +191,16 @@ std::vector<ChannelRow> MakeTable() {
        "at its start and when a rule changes", true},
       {topics::kViewCommsPulse, kShore, "comms_pulses_t", "shore_broker", "viewer",
        "steps with deliveries", true},
+      {topics::kViewPoint, kShore, "view_point_t", "your programs", "viewer, (shoal plot)",
+       "when needed", true},
+      {topics::kViewPolygon, kShore, "view_polygon_t", "your programs", "viewer, (shoal plot)",
+       "when needed", true},
+      {topics::kViewSeglist, kShore, "view_seglist_t", "your programs", "viewer, (shoal plot)",
+       "when needed", true},
+      {topics::kViewCircle, kShore, "view_circle_t", "your programs", "viewer, (shoal plot)",
+       "when needed", true},
+      {topics::kViewText, kShore, "view_text_t", "your programs", "viewer, (shoal plot)",
+       "when needed", true},
       {topics::kModemStats, kShore, "modem_stats_t", "netsim_manager", "viewer, (people)",
        "when a client reports it", true},
       {topics::kNodeReportUnc, kShore, "node_report_t", "shore_broker", "(people)",

@@ -50,6 +50,11 @@
 #include "shoal/unc_control_t.hpp"
 #include "shoal/unc_controls_req_t.hpp"
 #include "shoal/unc_controls_t.hpp"
+#include "shoal/view_circle_t.hpp"
+#include "shoal/view_point_t.hpp"
+#include "shoal/view_polygon_t.hpp"
+#include "shoal/view_seglist_t.hpp"
+#include "shoal/view_text_t.hpp"
 #include "shoal/water_sample_t.hpp"
 
 namespace shoal {
@@ -92,6 +97,11 @@ inline constexpr std::string_view kCommsFates = "COMMS_FATES";
 inline constexpr std::string_view kCommsMedia = "COMMS_MEDIA";
 inline constexpr std::string_view kCommsRules = "COMMS_RULES";
 inline constexpr std::string_view kViewCommsPulse = "VIEW_COMMS_PULSE";
+inline constexpr std::string_view kViewPoint = "VIEW_POINT";
+inline constexpr std::string_view kViewPolygon = "VIEW_POLYGON";
+inline constexpr std::string_view kViewSeglist = "VIEW_SEGLIST";
+inline constexpr std::string_view kViewCircle = "VIEW_CIRCLE";
+inline constexpr std::string_view kViewText = "VIEW_TEXT";
 inline constexpr std::string_view kModemStats = "MODEM_STATS";
 inline constexpr std::string_view kAppcast = "APPCAST";
 inline constexpr std::string_view kCommsRulesNow = "COMMS_RULES_NOW";
@@ -156,6 +166,11 @@ Channel<comms_media_t> CommsMedia();
 Channel<broker_rules_t> CommsRules();
 Channel<broker_rules_t> CommsRulesNow();
 Channel<comms_pulses_t> ViewCommsPulse();
+Channel<view_point_t> ViewPoint();
+Channel<view_polygon_t> ViewPolygon();
+Channel<view_seglist_t> ViewSeglist();
+Channel<view_circle_t> ViewCircle();
+Channel<view_text_t> ViewText();
 Channel<modem_stats_t> ModemStats();
 Channel<appcast_t> Appcast();
 

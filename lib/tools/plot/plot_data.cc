@@ -98,6 +98,10 @@ void PlotDataBuilder::Add(const LogEvent& event) {
     take(node_report_t{}, [&](const node_report_t& report) { TakeReport(report); });
     return;
   }
+  if (std::ranges::count(DrawingBook::Topics(), event.channel) > 0) {
+    TakeDrawing(event);
+    return;
+  }
   take_of_vehicle(topics::kNav, nav_t{}, &PlotDataBuilder::AddNav) ||
       take_of_vehicle(topics::kHelmState, helm_state_t{}, &PlotDataBuilder::AddHelmState) ||
       take_of_vehicle(topics::kActuators, actuators_t{}, &PlotDataBuilder::AddActuators) ||
@@ -105,6 +109,17 @@ void PlotDataBuilder::Add(const LogEvent& event) {
       take_of_vehicle(topics::kNavigation, navigation_t{}, &PlotDataBuilder::AddNavigation) ||
       take_of_vehicle(topics::kGuidance, guidance_t{}, &PlotDataBuilder::AddGuidance) ||
       take_of_vehicle(topics::kSwarm, swarm_t{}, &PlotDataBuilder::AddSwarm);
+}
+
+/// Drawings last from the time of the vehicles' last NAV.
+void PlotDataBuilder::TakeDrawing(const LogEvent& event) {
+  const int64_t now_utime = round_utime_;
+  const bool is_too_late =
+      selection_.to_s && zero_utime_ && Seconds(now_utime - *zero_utime_) > *selection_.to_s;
+  if (is_too_late) return;
+  if (!drawings_.Take(event.channel, Unseal(event.data).message, now_utime)) {
+    ++data_.num_undecodable;
+  }
 }
 
 /// Returns the vehicle of this name in channels, nullptr where there are too many.
@@ -391,6 +406,11 @@ PlotData PlotDataBuilder::Build() {
     MarkCollisions();
   }
   data_.zero_utime = zero_utime_.value_or(0);
+  const int64_t end_utime = selection_.to_s
+                                ? data_.zero_utime + std::min(round_utime_ - data_.zero_utime,
+                                                              Microseconds(*selection_.to_s))
+                                : round_utime_;
+  for (const MapDrawing* drawing : drawings_.At(end_utime)) data_.drawings.push_back(*drawing);
   for (const auto& [name, vehicle] : vehicles_) {
     data_.mark_interval_s = std::max(data_.mark_interval_s, vehicle.marks.step_s());
   }

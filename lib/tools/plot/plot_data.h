@@ -22,6 +22,7 @@
 #include "lib/tools/plot/plot_curve.h"
 #include "lib/tools/plot/plot_setting.h"
 #include "lib/tools/plot/time_marks.h"
+#include "lib/tools/view/drawing_book.h"
 
 namespace shoal {
 
@@ -81,6 +82,7 @@ struct PlotData {
   int64_t mark_interval_s = 1;
   std::vector<CurvePoint> collisions;  ///< Each once, the first kMaxContacts.
   std::vector<CurvePoint> groundings;  ///< Likewise.
+  std::vector<MapDrawing> drawings;    ///< Of programs, as they were drawn at the end.
   std::set<std::string> seen;          ///< Names in channels of all vehicles of the log.
   int64_t num_undecodable = 0;         ///< Messages on these channels that are of another type.
   int64_t num_impossible = 0;          ///< Values that no figure can show.
@@ -128,6 +130,7 @@ class PlotDataBuilder {
   void DrawAge(double time_s, int64_t utime, std::optional<int64_t> report_utime,
                std::optional<int64_t>* before, ThinnedCurve* curve);
   void TakeReport(const node_report_t& report);
+  void TakeDrawing(const LogEvent& event);
   void MeasureDistances();
   void MarkCollisions();
   void Mark(const Vehicle& vehicle, std::vector<CurvePoint>* marks);
@@ -138,6 +141,7 @@ class PlotDataBuilder {
   std::map<std::string, Vehicle, std::less<>> vehicles_;  ///< By their names in channels.
   std::map<std::string, std::string, std::less<>> targets_;
   ContactMarks contacts_;
+  DrawingBook drawings_;
   int64_t round_utime_ = 0;  ///< Of the NAV that came last.
   bool round_is_open_ = false;
   bool has_drawn_ = false;

@@ -87,6 +87,32 @@ TEST_F(Figures, MarkWhereVehiclesCollideAndRunAground) {
   EXPECT_FALSE(Contains(Of("tracks").script, "title 'collision'")) << "30 m apart";
 }
 
+TEST_F(Figures, ShowWhatProgramsDrew) {
+  std::vector<TestEvent> events = LogOfTwoVehicles();
+  view_circle_t circle{};
+  circle.owner = "planner";
+  circle.label = "\"; set output \"evil";
+  circle.color = "red";
+  circle.radius_m = 20;
+  events.push_back(EventOf("VIEW_CIRCLE", circle));
+  view_polygon_t box{};
+  box.label = "box";
+  box.num_points = 3;
+  box.x_m = {0, 10, 10};
+  box.y_m = {0, 0, 10};
+  events.push_back(EventOf("VIEW_POLYGON", box));
+  box.label = "gone";
+  box.life_s = -1;
+  events.push_back(EventOf("VIEW_POLYGON", box));
+  Draw(events, Berta());
+  const Figure& tracks = Of("tracks");
+  EXPECT_TRUE(Contains(tracks.script, "lines lc rgb '#ff0000' lw 1.4"));
+  EXPECT_TRUE(Contains(tracks.data, "# drawn: box\n0 0\n10 0\n10 10\n0 0\n"));
+  EXPECT_TRUE(Contains(tracks.data, "\n0 20 \"?; set output ?evil\"\n"));
+  EXPECT_FALSE(Contains(tracks.data, "gone"));
+  EXPECT_FALSE(Contains(tracks.script, "evil"));
+}
+
 TEST_F(Figures, ShowTheAreaThatIsSurveyedAndTheBandThatIsCovered) {
   PlotSetting setting = Berta();
   setting.areas = {{{-10, -20}, {130, -20}, {130, 20}, {-10, -20}}};

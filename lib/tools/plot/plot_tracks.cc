@@ -6,8 +6,10 @@
 #include <cmath>
 
 #include "lib/base/arithmetic/elementary.h"
+#include "lib/base/geometry/angles.h"
 #include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
+#include "lib/tools/plot/plot_colors.h"
 
 namespace shoal {
 
@@ -68,6 +70,30 @@ constexpr const char* kAgroundStyle = "points lc rgb '#d00000' pt 8 ps 1.8 lw 2.
 
 std::string PlanColor(const std::string& color) { return "#70" + color.substr(1); }
 
+/// Of drawings whose colour is not known.
+constexpr const char* kDrawingColor = "#b09000";
+
+/// Returns a text that can stand in quotes in a block of data.
+std::string TextInBlock(std::string_view text) {
+  constexpr size_t kLongest = 40;
+  std::string plain;
+  for (const char letter : text.substr(0, kLongest)) {
+    const bool is_plain = letter >= ' ' && letter <= '~' && letter != '"' && letter != '\\';
+    plain += is_plain ? letter : '?';
+  }
+  return plain;
+}
+
+Stroke CircleAround(CurvePoint middle, double radius_m) {
+  constexpr int kCorners = 48;
+  Stroke circle;
+  for (int i = 0; i <= kCorners; ++i) {
+    const double angle = 2 * kPi * i / kCorners;
+    circle.push_back({middle.x + radius_m * Sin(angle), middle.y + radius_m * Cos(angle)});
+  }
+  return circle;
+}
+
 /// Returns the colour mixed with three parts of white.
 std::string PaleColor(const std::string& color) {
   const auto pale = [&](size_t at) {
@@ -121,6 +147,8 @@ class TracksFigure {
     AddAreas();
     AddObstacles();
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddPlan(i);
+    for (const MapDrawing& drawing : data_.drawings) AddDrawing(drawing);
+    AddDrawingLabels();
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddTrack(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddBelieved(i);
     for (size_t i = 0; i < data_.vehicles.size(); ++i) AddMarks(i);
@@ -171,6 +199,47 @@ class TracksFigure {
     if (setting_.obstacles.empty()) return;
     for (const Stroke& obstacle : setting_.obstacles) bounds_.Include(obstacle);
     Plot("obstacles", setting_.obstacles, fmt::format("lines lc rgb '{}' lw 2.2", kGrey));
+  }
+
+  /// What a program drew.
+  void AddDrawing(const MapDrawing& drawing) {
+    const std::optional<uint32_t> known = ColorOf(drawing.color);
+    const std::string color = known ? fmt::format("#{:06x}", *known) : kDrawingColor;
+    Stroke stroke;
+    for (const auto& [x_m, y_m] : drawing.points_m) stroke.push_back({x_m, y_m});
+    CurvePoint place = stroke.front();
+    std::string style = fmt::format("lines lc rgb '{}' lw 1.4", color);
+    switch (drawing.kind) {
+      case DrawingKind::kPoint:
+        style = fmt::format("points lc rgb '{}' pt 7 ps 0.9", color);
+        break;
+      case DrawingKind::kPolygon:
+        stroke.push_back(stroke.front());
+        break;
+      case DrawingKind::kCircle:
+        stroke = CircleAround(place, drawing.radius_m);
+        place.y += drawing.radius_m;
+        break;
+      case DrawingKind::kSeglist:
+        break;
+      case DrawingKind::kText:
+        style.clear();
+        break;
+    }
+    bounds_.Include(stroke);
+    if (!style.empty()) Plot("drawn: " + drawing.label, {stroke}, style);
+    const std::string& label = drawing.kind == DrawingKind::kText ? drawing.text : drawing.label;
+    const std::string text = TextInBlock(label);
+    if (!text.empty())
+      drawn_labels_ += fmt::format("{:.9g} {:.9g} \"{}\"\n", place.x, place.y, text);
+  }
+
+  void AddDrawingLabels() {
+    if (drawn_labels_.empty()) return;
+    items_.push_back(
+        fmt::format("'tracks.dat' index {} using 1:2:3 with labels noenhanced font ',10' left "
+                    "offset 0.6,0.6 notitle",
+                    blocks_.AddLines("drawn, labels", drawn_labels_)));
   }
 
   /// Where it was sent: by the mission, else by what its helm published.
@@ -364,6 +433,7 @@ class TracksFigure {
   PlotBlocks blocks_;
   std::vector<std::string> items_;
   std::vector<LegendEntry> legend_;
+  std::string drawn_labels_;
   std::vector<CurvePoint> texts_;  ///< Where times are written.
   bool has_waypoints_ = false;
   bool has_believed_ = false;

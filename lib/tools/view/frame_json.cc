@@ -179,6 +179,41 @@ void WritePacket(const Scene& scene, const AcousticPacket& packet, JsonWriter* j
   json->EndArray().EndObject();
 }
 
+void WriteDrawing(const MapDrawing& drawing, JsonWriter* json) {
+  json->BeginObject()
+      .Text("kind", TextOf(drawing.kind))
+      .Text("owner", drawing.owner)
+      .Text("label", drawing.label)
+      .Text("color", drawing.color)
+      .Number("size", drawing.size_px, kTenths)
+      .Number("fill", drawing.fill, 2)
+      .Number("radius", drawing.radius_m, kCentimetres)
+      .Text("text", drawing.text)
+      .Key("points")
+      .BeginArray();
+  for (const auto& [x_m, y_m] : drawing.points_m) {
+    json->BeginArray().Number(x_m, kCentimetres).Number(y_m, kCentimetres).EndArray();
+  }
+  json->EndArray().EndObject();
+}
+
+/// Writes as many as do not make a frame too large, and how many are left out.
+void WriteDrawings(const std::vector<const MapDrawing*>& drawings, JsonWriter* json) {
+  constexpr size_t kMaxPointsOfAll = 20'000;
+  size_t num_points = 0;
+  int64_t num_left_out = 0;
+  json->Key("drawings").BeginArray();
+  for (const MapDrawing* drawing : drawings) {
+    num_points += drawing->points_m.size();
+    if (num_points > kMaxPointsOfAll) {
+      ++num_left_out;
+    } else {
+      WriteDrawing(*drawing, json);
+    }
+  }
+  json->EndArray().Integer("drawings_left_out", num_left_out);
+}
+
 void WriteCommand(const CommandRecord& command, JsonWriter* json) {
   json->BeginObject()
       .Integer("id", command.id)
@@ -207,7 +242,9 @@ std::string FrameJson(const Scene& scene, const FrameParts& parts) {
   for (const ViewPulse* pulse : parts.pulses) WritePulse(scene, *pulse, &json);
   json.EndArray().Integer("pulses_left_out", parts.pulses_left_out).Key("packets").BeginArray();
   for (const AcousticPacket* packet : parts.packets) WritePacket(scene, *packet, &json);
-  json.EndArray().Number("sound_mps", scene.sound_mps(), 2).Key("commands").BeginArray();
+  json.EndArray().Number("sound_mps", scene.sound_mps(), 2);
+  WriteDrawings(scene.drawings().At(scene.now_utime()), &json);
+  json.Key("commands").BeginArray();
   const size_t num_commands = parts.commands.size();
   for (size_t i = num_commands - std::min(num_commands, kMaxCommands); i < num_commands; ++i) {
     WriteCommand(parts.commands[i], &json);

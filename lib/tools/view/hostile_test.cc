@@ -119,6 +119,18 @@ Bytes DrawMessage(const std::string& channel) {
     pulse.fill = DrawDouble();
     return Encoded(PulsesOf(DrawUtime(), {pulse}));
   }
+  if (channel == "VIEW_POLYGON") {
+    view_polygon_t polygon{};
+    polygon.owner = DrawText();
+    polygon.label = DrawText();
+    polygon.color = DrawText();
+    polygon.life_s = DrawDouble();
+    polygon.fill = DrawDouble();
+    polygon.num_points = 2;
+    polygon.x_m = {DrawDouble(), 1};
+    polygon.y_m = {DrawDouble(), 2};
+    return Encoded(polygon);
+  }
   if (channel == "COMMS_RULES") {
     BrokerRules rules = RulesWith(DrawUtime(), DrawDouble(), DrawDouble());
     rules.factors = {{DrawText(), {.stealth = DrawDouble()}}};

@@ -1,5 +1,7 @@
 #include "lib/tools/view/log_index.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 #include <string_view>
@@ -21,7 +23,7 @@ constexpr double kLongestPulse_s = 60;
 
 /// How the index treats a channel.
 struct ChannelUse {
-  enum class Topic { kState, kReports, kRules, kFates, kPulses };
+  enum class Topic { kState, kReports, kRules, kFates, kPulses, kDrawings };
   Topic topic = Topic::kState;
   int32_t slot = -1;  ///< Of its standing message; -1: none yet.
 };
@@ -32,6 +34,7 @@ ChannelUse::Topic TopicOf(std::string_view channel) {
   if (channel == topics::kCommsRules) return kRules;
   if (channel == topics::kCommsFates || channel == topics::kCommsMedia) return kFates;
   if (channel == topics::kViewCommsPulse) return kPulses;
+  if (std::ranges::count(DrawingBook::Topics(), channel) > 0) return kDrawings;
   return kState;
 }
 
@@ -119,10 +122,26 @@ class IndexBuilder : private SceneObserver {
       case Topic::kState:
         Stand(event, &use->slot);
         break;
+      case Topic::kDrawings:
+        StandDrawing(event, data);
+        break;
       case Topic::kFates:
       case Topic::kPulses:
         break;
     }
+  }
+
+  /// Each drawing stands by itself; of very many those that came first.
+  void StandDrawing(const LogEvent& event, std::span<const uint8_t> data) {
+    const auto drawing = ReadDrawing(event.channel, data);
+    if (!drawing) return;
+    std::string key = fmt::format("{}\n{}\n{}", event.channel, drawing->owner, drawing->label);
+    auto found = drawings_.find(key);
+    if (found == drawings_.end()) {
+      if (drawings_.size() == DrawingBook::kMaxDrawings) return;
+      found = drawings_.emplace(std::move(key), -1).first;
+    }
+    Stand(event, &found->second);
   }
 
   void Stand(const LogEvent& event, int32_t* slot) {
@@ -230,6 +249,7 @@ class IndexBuilder : private SceneObserver {
   Keyframe next_;  ///< All of it but the links, which are the scene's.
   std::unordered_map<std::string, ChannelUse, TextHash, std::equal_to<>> channels_;
   std::unordered_map<std::string, int32_t> reporters_;  ///< Their slots, by key.
+  std::unordered_map<std::string, int32_t> drawings_;   ///< Likewise, by channel, owner and label.
   size_t num_links_ = 0;                                ///< In all keyframes.
   LogIndex index_;
 };

@@ -97,6 +97,9 @@ Scene::Scene(const Mission& mission)
   channels_[channels::CommsMedia().name] = {Topic::kMedia, 0};
   channels_[channels::CommsRules().name] = {Topic::kRules, 0};
   channels_[channels::ViewCommsPulse().name] = {Topic::kPulses, 0};
+  for (const std::string_view topic : DrawingBook::Topics()) {
+    channels_[std::string(topic)] = {Topic::kDrawings, 0};
+  }
 }
 
 std::vector<std::string> Scene::Channels(const Mission& mission) {
@@ -131,6 +134,8 @@ void Scene::Handle(std::string_view channel, std::span<const uint8_t> data,
         return HandleRules(data);
       case Topic::kPulses:
         return HandlePulses(data);
+      case Topic::kDrawings:
+        return drawings_.Take(channel, data, now_utime_);
     }
     return false;
   }();

@@ -21,6 +21,7 @@
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/rules.h"
 #include "lib/mission/model/mission.h"
+#include "lib/tools/view/drawing_book.h"
 #include "lib/tools/view/link_book.h"
 #include "lib/tools/view/media_links.h"
 #include "lib/tools/view/packet_book.h"
@@ -91,7 +92,7 @@ class Scene {
 
   /// Takes one encoded message. Channels: NAV_V, HELM_STATE_V, SWARM_V and those of
   /// shown_channels.h of the mission's vehicles, NODE_REPORT_LOCAL, NODE_REPORT, COMMS_FATES,
-  /// COMMS_MEDIA, COMMS_RULES, VIEW_COMMS_PULSE; all others are ignored.
+  /// COMMS_MEDIA, COMMS_RULES, VIEW_COMMS_PULSE, those of DrawingBook; all others are ignored.
   void Handle(std::string_view channel, std::span<const uint8_t> data,
               SceneObserver* observer = nullptr);
   /// Takes the time of the clock's last step.
@@ -133,6 +134,7 @@ class Scene {
   const MediaLinks& media_links() const { return media_links_; }
   const PulseBook& pulses() const { return pulses_; }
   const PacketBook& packets() const { return packets_; }
+  const DrawingBook& drawings() const { return drawings_; }
   double sound_mps() const { return sound_mps_; }
 
   /// Messages that were not understood: bytes that do not decode, reports that the broker refuses.
@@ -149,7 +151,8 @@ class Scene {
     kFates,
     kMedia,
     kRules,
-    kPulses
+    kPulses,
+    kDrawings
   };
   struct ChannelPlace {
     Topic topic = Topic::kNav;
@@ -187,6 +190,7 @@ class Scene {
   MediaLinks media_links_;
   PulseBook pulses_;
   PacketBook packets_;
+  DrawingBook drawings_;
   int64_t num_undecodable_ = 0;
   int64_t num_left_out_ = 0;
 };

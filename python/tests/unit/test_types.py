@@ -230,3 +230,11 @@ def test_structs_inside_one_another_without_end_are_refused() -> None:
     begin = b"\0\0\0\1\0\0\0\0\1"  # An empty name, and one child.
     data = tree._codec.fingerprint_bytes + begin * 100_000
     assert decode_error(data) == "structs inside one another without end"
+
+
+def test_what_a_program_draws_has_a_type_for_each_kind() -> None:
+    box = shoal.types.view_polygon_t(owner="me", label="box", x_m=[0.0, 1.0], y_m=[2.0, 3.0])
+    read = shoal.types.decode(box.encode())
+    assert (read.num_points, read.x_m, read.y_m) == (2, [0.0, 1.0], [2.0, 3.0])
+    for kind in ("point", "seglist", "circle", "text"):
+        assert hasattr(getattr(shoal.types, f"view_{kind}_t")(), "life_s")
