@@ -8,6 +8,7 @@ import {Commands} from './panels/commands.js';
 import {setText} from './page/dom.js';
 import {fillHelp} from './page/help.js';
 import {listenToKeys, showPressed} from './page/keys.js';
+import {MapFilm} from './map/map_film.js';
 import {MapView} from './map/map_view.js';
 import {CommsPanel} from './panels/panel_comms.js';
 import {DataPanel} from './panels/panel_data.js';
@@ -51,6 +52,10 @@ class Page {
       onPlace: (place) => this.commands?.place(place),
       onPointer: (place) => this.#showPointer(place),
       onView: () => this.keeper?.changed(),
+    });
+    this.film = new MapFilm(find('map'), (film) => {
+      this.map.titled = false;
+      this.#download(film, 'webm');
     });
     this.keeper = new ViewKeeper(this);
     fillHelp(find('help'));
@@ -150,11 +155,25 @@ class Page {
   }
 
   async savePng() {
-    const url = URL.createObjectURL(await this.map.toPng());
+    this.#download(await this.map.toPng(), 'png');
+  }
+
+  /** Begins a film of the map, of a recording that plays; or ends and saves it. */
+  toggleFilm() {
+    if (this.film.isRunning) {
+      this.film.stop();
+      return;
+    }
+    this.map.titled = this.film.start();
+    if (this.map.titled && this.isRecorded && !this.source.playing) this.source.play();
+  }
+
+  #download(blob, ending) {
+    const url = URL.createObjectURL(blob);
     const link = document.createElement('a');
     link.href = url;
     const time = missionTime(this.frame?.t ?? 0).replaceAll(':', '-');
-    link.download = `${fileName(this.setup.mission)}_${time}.png`;
+    link.download = `${fileName(this.setup.mission)}_${time}.${ending}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(url), 10000);
   }
@@ -269,6 +288,7 @@ class Page {
       this.source.tick();
       this.world.setTime(this.source.t);
       this.timeline.update();
+      if (this.film.isRunning && this.source.t >= this.setup.end_s) this.film.stop();
     }
     this.map.setMark(this.commands.mark);
     this.map.draw(now_ms);

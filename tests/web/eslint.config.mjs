@@ -8,9 +8,8 @@ const known = (names) => Object.fromEntries(names.map((name) => [name, 'readonly
 const browser = known([
   'AbortController', 'AbortSignal', 'Blob', 'CSS', 'DecompressionStream', 'Element', 'Event',
   'EventSource',
-  'HTMLElement', 'Image', 'ImageData', 'MutationObserver', 'Node', 'Path2D', 'ResizeObserver',
-  'Response',
-  'SharedWorker', 'URL', 'URLSearchParams', 'addEventListener', 'atob', 'cancelAnimationFrame',
+  'HTMLElement', 'Image', 'ImageData', 'MediaRecorder', 'MutationObserver', 'Node', 'Path2D',
+  'ResizeObserver', 'Response', 'SharedWorker', 'URL', 'URLSearchParams', 'addEventListener', 'atob', 'cancelAnimationFrame',
   'clearInterval', 'clearTimeout', 'console', 'devicePixelRatio', 'document', 'fetch',
   'getComputedStyle', 'history', 'location', 'matchMedia', 'navigator', 'performance',
   'removeEventListener', 'requestAnimationFrame', 'self', 'setInterval', 'setTimeout',

@@ -42,6 +42,8 @@ export class MapView {
   #shown = {t: 0, vehicles: []};
   #wantFit = true;    // Until a view was asked for, the whole mission is shown.
   #painter = new MapPainter();
+  /** Title and time are drawn, as in a picture that is saved. */
+  titled = false;
 
   /**
    * `events`, all optional: onVehicle(name) and onPlace({x, y, lat, lon}) of a click;
@@ -168,6 +170,11 @@ export class MapView {
     if (followed && followed.x !== null) this.#camera.set(followed.x, followed.y);
     this.#ctx.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     this.#paint(this.#ctx, nowMs);
+    if (this.titled) this.#paintTitle(this.#ctx);
+  }
+
+  #paintTitle(ctx) {
+    drawTitle(ctx, this.#camera, this.#theme, this.#setup?.mission, this.#shown.t);
   }
 
   /** Returns a PNG of what the map shows, with scale bar, title and time. */
@@ -178,7 +185,7 @@ export class MapView {
     const ctx = picture.getContext('2d', {alpha: false});
     ctx.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     this.#paint(ctx, performance.now());
-    drawTitle(ctx, this.#camera, this.#theme, this.#setup?.mission, this.#shown.t);
+    this.#paintTitle(ctx);
     return new Promise((resolve, reject) => {
       picture.toBlob((blob) => {
         if (blob) resolve(blob);

@@ -17,6 +17,7 @@ export const kKeys = [
     1: 'layer0', 2: 'layer1', 3: 'layer2', 4: 'layer3', 5: 'layer4', 6: 'layer5', 7: 'layer6',
     8: 'layer7', 9: 'layer8', 0: 'layer9'}},
   {group: 'Map', shown: 'p', text: 'save the map as a PNG', actions: {p: 'png'}},
+  {group: 'Map', shown: 'P', text: 'film the map: begin, end', actions: {P: 'film'}},
   {group: 'Page', shown: 'n  N', text: 'next, previous vehicle',
     actions: {n: 'nextVehicle', N: 'previousVehicle'}},
   {group: 'Page', shown: 't', text: 'dark or light', actions: {t: 'theme'}},

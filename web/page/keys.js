@@ -73,6 +73,7 @@ const kActions = {
   unfollow: (page) => follow(page, false),
   measure,
   png: (page) => page.savePng(),
+  film: (page) => page.toggleFilm(),
   nextVehicle: (page) => choose(page, 1),
   previousVehicle: (page) => choose(page, -1),
   theme: (page) => page.setTheme(document.documentElement.className === 'light' ? 'dark' : 'light'),
@@ -109,6 +110,7 @@ export function showPressed(page) {
   const set = (name, on) => setAttribute(document.querySelector(`[data-action=${name}]`),
     'aria-pressed', String(on));
   set('measure', page.map.measuring);
+  set('film', page.film.isRunning);
   set('follow', page.map.view.follow !== null);
 }
 

@@ -98,6 +98,24 @@ test('it shows that it is a copy, and takes no commands', async () => {
   assert.equal(await page.locator('[data-command=return]').count(), 0);
 });
 
+test('a span of it is filmed', async () => {
+  await scrub(100);
+  await page.selectOption('#speed', '8');
+  await page.keyboard.press('Shift+P');
+  await until('ten seconds of the mission', async () => await time() > 110);
+  const saved = page.waitForEvent('download');
+  assert.equal(await page.getAttribute('[data-action=film]', 'aria-pressed'), 'true');
+  await page.click('[data-action=film]');
+  const film = await saved;
+  assert.match(film.suggestedFilename(), /^berta_01-\d\d\.\d\.webm$/);
+  const bytes = readFileSync(await film.path());
+  // EBML, as all WebM begins.
+  assert.deepEqual([...bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3]);
+  assert.ok(bytes.length > 5000, `${bytes.length} bytes`);
+  await page.keyboard.press('Space');
+  await page.selectOption('#speed', '1');
+});
+
 test('it opens on a phone', async () => {
   const phone = await stage.page(pathToFileURL(file).href, { width: 390, height: 844 });
   await until('the first frame', () => phone.evaluate(() => globalThis.shoalViewer?.source?.frame));
