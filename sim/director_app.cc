@@ -8,6 +8,7 @@
 #include "lib/bus/bus/control_message.h"
 #include "lib/comms/routing/control.h"
 #include "lib/comms/routing/vehicle_name.h"
+#include "lib/run/verdict/mission_verdict.h"
 #include "lib/run/verdict/summary.h"
 
 namespace shoal {
@@ -221,6 +222,10 @@ int64_t DirectorApp::num_blocked() const {
 
 std::string DirectorApp::Summary(bool complete) const {
   return Summarize(mission_, judge_, complete);
+}
+
+std::string DirectorApp::VerdictText(double end_s, bool complete) const {
+  return TextOf(VerdictOf(mission_, judge_, end_s, complete));
 }
 
 bool DirectorApp::Passed() const { return judge_.Passed(); }

@@ -45,6 +45,7 @@ class DirectorApp : public Director {
   const Judge& judge() const { return judge_; }
 
   std::string Summary(bool complete) const override;
+  std::string VerdictText(double end_s, bool complete) const override;
   bool Passed() const override;
   bool EndsMission() const override { return ends_mission_; }
 

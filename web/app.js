@@ -19,12 +19,16 @@ import {Tabs} from './tabs.js';
 import {fileName, missionTime, quantity} from './text.js';
 import {Timeline} from './timeline.js';
 import {TopBar} from './top_bar.js';
+import {tidyVerdict, VerdictBox} from './verdict.js';
 import {ViewKeeper} from './view_keeper.js';
 import {World} from './world.js';
 
 const kPanelEvery_ms = 200;
 const kRetry_ms = 1000;
 const kNearEvent_s = 10;
+// Of the session: the mission that was followed has ended, and its recording is shown.
+const kEndedKey = 'shoal-ended';
+const kVerdictTries = 8;
 
 const find = (id) => document.getElementById(id);
 const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
@@ -40,7 +44,8 @@ class Page {
     this.panels_ms = -Infinity;
     this.numEvents = null;
     this.connection = ['connecting', ''];
-    this.top = new TopBar((name, on) => this.setLayer(name, on));
+    this.top = new TopBar((name, on) => this.setLayer(name, on),
+        (style) => this.setPulseStyle(style));
     this.tabs = new Tabs(find('side'), () => this.#showPanels());
     this.map = new MapView(find('map'), {
       onVehicle: (name) => this.#clickVehicle(name),
@@ -48,6 +53,7 @@ class Page {
       onPointer: (place) => this.#showPointer(place),
       onView: () => this.keeper?.changed(),
     });
+    this.verdict = new VerdictBox(find('verdict'));
     this.keeper = new ViewKeeper(this);
     fillHelp(find('help'));
     listenToKeys(this);
@@ -80,8 +86,12 @@ class Page {
       events: new EventsPanel(this, find('panel-events')),
     };
     this.commands = new Commands(this, find('panel-commands'), (name) => this.#showAim(name));
+    const hasEnded = this.isRecorded && sessionStorage.getItem(kEndedKey) !== null;
+    sessionStorage.removeItem(kEndedKey);
     this.#showMission();
     this.keeper.restore();
+    if (hasEnded) this.source.seek(setup.end_s);
+    if (this.isRecorded) this.#askVerdict(hasEnded, 1);
     this.source.start();
     requestAnimationFrame(() => this.#draw());
   }
@@ -112,6 +122,7 @@ class Page {
   openLink(from, to) {
     this.link = from === null ? null : {from, to};
     this.panels.comms.openLink(this.link);
+    this.map.setLink(this.link);
     this.keeper.changed();
   }
 
@@ -132,6 +143,12 @@ class Page {
   setLayer(name, on) {
     this.map.view = {layers: {[name]: on}};
     this.top.showLayers(this.map.view.layers);
+    this.keeper.changed();
+  }
+
+  setPulseStyle(pulseStyle) {
+    this.map.view = {pulseStyle};
+    this.top.showPulseStyle(pulseStyle);
     this.keeper.changed();
   }
 
@@ -178,6 +195,8 @@ class Page {
     if (this.wanted) this.#centreWanted(frame);
     if (this.frames === 1) this.keeper.firstFrame();
     this.top.showConnection(...this.connection, frame.clock);
+    if (frame.clock.state === 'ended' && !this.ended) this.#askVerdict(true, kVerdictTries);
+    this.ended = frame.clock.state === 'ended';
     if (frame.num_events !== this.numEvents && !this.isRecorded) {
       this.numEvents = frame.num_events;
       this.#askEvents();
@@ -188,6 +207,9 @@ class Page {
   #turnTo(setup) {
     if (setup.mode !== this.setup.mode || setup.mode === 'recorded'
         || setup.commands !== this.setup.commands) {
+      if (this.setup.mode === 'live' && setup.mode === 'recorded') {
+        sessionStorage.setItem(kEndedKey, '1');
+      }
       location.reload();
       return;
     }
@@ -196,6 +218,8 @@ class Page {
     setVehicles(setup.vehicles);
     this.frame = null;
     this.numEvents = null;
+    this.ended = false;
+    this.verdict.show(null);
     this.openLink(null, null);
     this.#showMission();
     for (const panel of Object.values(this.panels)) panel.reset();
@@ -219,6 +243,24 @@ class Page {
     } catch {
       await pause(kRetry_ms);
       if (world === this.world && this.connection[0] === 'live') this.#askTrails();
+    }
+  }
+
+  // The launcher leaves the verdict a moment after the clock has ended.
+  async #askVerdict(open, tries) {
+    const world = this.world;
+    for (let i = 0; i < tries && world === this.world; ++i) {
+      try {
+        const verdict = tidyVerdict(await this.requests.get('/api/verdict'));
+        if (world !== this.world) return;
+        if (verdict) {
+          this.verdict.show(verdict, open);
+          return;
+        }
+      } catch {
+        // Another try.
+      }
+      await pause(kRetry_ms);
     }
   }
 

@@ -5,6 +5,7 @@
 //   requestAnimationFrame(function show(now) { map.draw(now); requestAnimationFrame(show); });
 
 import {drawTitle} from './draw_overlay.js';
+import {kPulseStyles} from './draw_signals.js';
 import {readTheme} from './draw_theme.js';
 import {drawnLength} from './draw_vehicles.js';
 import {LocalFrame, isNumber} from './geometry.js';
@@ -33,12 +34,15 @@ export class MapView {
   #layers = {...kLayers};
   #follow = null;
   #selected = null;
+  #link = null;
+  #pulseStyle = kPulseStyles[0][0];
   #hovered = null;
   #mark = null;
   #measuring = false;
   #ends = [];         // Of the measured distance.
   #shown = {t: 0, vehicles: []};
   #wantFit = true;    // Until a view was asked for, the whole mission is shown.
+  #fitted = null;     // The view after the last fit().
   #painter = new MapPainter();
 
   /**
@@ -76,10 +80,11 @@ export class MapView {
     this.#shown = {t: 0, vehicles: []};
   }
 
-  /** {cx, cy, metresPerPixel, follow, layers}; setting takes what it is given of these. */
+  /** {cx, cy, metresPerPixel, follow, layers, pulseStyle}; setting takes what it is given of these. */
   get view() {
     const {cx, cy, metresPerPixel} = this.#camera;
-    return {cx, cy, metresPerPixel, follow: this.#follow, layers: {...this.#layers}};
+    return {cx, cy, metresPerPixel, follow: this.#follow, layers: {...this.#layers},
+      pulseStyle: this.#pulseStyle};
   }
 
   set view(view) {
@@ -87,6 +92,10 @@ export class MapView {
       for (const name of Object.keys(kLayers)) {
         if (name in view.layers) this.#layers[name] = Boolean(view.layers[name]);
       }
+      this.#painter.changed();
+    }
+    if (kPulseStyles.some(([style]) => style === view?.pulseStyle)) {
+      this.#pulseStyle = view.pulseStyle;
       this.#painter.changed();
     }
     if (view && 'follow' in view) this.#follow = view.follow || null;
@@ -104,14 +113,19 @@ export class MapView {
 
   select(name) { this.#selected = name || null; }
 
+  /** The link whose pulses stand out, {from, to}, or null. */
+  setLink(link) { this.#link = link; }
+
   /** Shows a place that the user has chosen, {x, y, label}, or none (null). */
   setMark(mark) { this.#mark = isNumber(mark?.x) && isNumber(mark?.y) ? mark : null; }
 
   /** Shows the whole mission. */
   fit() {
     this.#follow = null;
-    const box = placesToFit(this.#setup, this.#shown.vehicles);
+    const box = placesToFit(this.#setup, this.#shown.vehicles,
+        (name) => this.#world?.trail(name, Infinity));
     if (box) this.#camera.fit(box.left, box.bottom, box.right, box.top);
+    this.#fitted = {...this.view, trails: this.#world?.trailsVersion};
     this.#tellView();
   }
 
@@ -159,11 +173,22 @@ export class MapView {
     if (this.#wantFit && this.#world?.frame) {
       this.fit();
       this.#wantFit = false;
+    } else if (this.#wasFittedWithoutTrails()) {
+      this.fit();
     }
     const followed = this.#follow && this.#shown.vehicles.find((v) => v.name === this.#follow);
     if (followed && followed.x !== null) this.#camera.set(followed.x, followed.y);
     this.#ctx.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     this.#paint(this.#ctx, nowMs);
+  }
+
+  // Trails came since, and the user has left the view as it was.
+  #wasFittedWithoutTrails() {
+    const fitted = this.#fitted;
+    if (!fitted || fitted.trails !== 0 || this.#world?.trailsVersion !== 1) return false;
+    const {cx, cy, metresPerPixel, follow} = this.view;
+    return cx === fitted.cx && cy === fitted.cy && metresPerPixel === fitted.metresPerPixel
+        && follow === null;
   }
 
   /** Returns a PNG of what the map shows, with scale bar, title and time. */
@@ -184,7 +209,7 @@ export class MapView {
     this.#theme ??= readTheme();
     this.#painter.paint(ctx, {
       camera: this.#camera, ratio: this.#ratio, theme: this.#theme, layers: this.#layers,
-      selected: this.#selected, hovered: this.#hovered, mark: this.#mark, ends: this.#ends,
+      pulseStyle: this.#pulseStyle, link: this.#link, selected: this.#selected, hovered: this.#hovered, mark: this.#mark, ends: this.#ends,
     }, this.#shown, nowMs);
   }
 

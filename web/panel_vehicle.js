@@ -54,7 +54,9 @@ export class VehiclePanel {
     this.list = new KeyedList(body, (name) => this.#row(name));
     this.facts = element('dl', {class: 'facts'});
     this.factList = new KeyedList(this.facts, (label) => factRow(label));
-    this.title = element('h3', {id: 'vehicle-title'});
+    this.titleText = element('span');
+    this.titleDot = element('i', {class: 'dot'});
+    this.title = element('h3', {id: 'vehicle-title'}, this.titleDot, this.titleText);
     this.alarm = element('p', {id: 'all-stop', class: 'alarm', role: 'status'});
     this.window = element('select', {id: 'window', onchange: () => this.poller.renew()},
       kWindows_s.map((seconds) => element('option', {value: seconds, selected: seconds === 120},
@@ -90,7 +92,7 @@ export class VehiclePanel {
     this.swarm.clear();
     this.factList.clear();
     this.root.classList.toggle('chosen', Boolean(name));
-    setText(this.title, name ?? '');
+    setText(this.titleText, name ?? '');
     setText(this.alarm, '');
     for (const [key, row] of this.list.rows) {
       setAttribute(row.root, 'aria-selected', String(key === name));
@@ -114,6 +116,7 @@ export class VehiclePanel {
   }
 
   restyle() {
+    this.#colorCharts();
     for (const chart of Object.values(this.chart ?? {})) chart.restyle();
   }
 
@@ -149,6 +152,7 @@ export class VehiclePanel {
 
   #showFacts(vehicle, frame) {
     const {nav, report, helm} = vehicle;
+    this.titleDot.style.background = this.page.color(vehicle);
     const alarms = alarmsOf(vehicle);
     setText(this.alarm, alarms.map(({sign, text}) => `${sign} ${clip(text, 200)}`).join('   '));
     setAttribute(this.alarm, 'data-grave', alarms.some(({grave}) => grave) ? 'true' : null);
@@ -183,6 +187,7 @@ export class VehiclePanel {
       {name, window: this.window.value, ...this.page.query()});
     if (name !== this.page.selected) return;
     this.chart ??= this.#makeCharts();
+    this.#colorCharts();
     const {t} = answer;
     this.chart.heading.setData(t, [answer.heading, answer.desired_heading]);
     this.chart.speed.setData(t, [answer.speed, answer.desired_speed]);
@@ -190,8 +195,17 @@ export class VehiclePanel {
     this.swarm.update(answer);
   }
 
+  // What the vehicle does has its colour, as on the map.
+  #colorCharts() {
+    const known = this.page.frame?.vehicles.find(({name}) => name === this.page.selected);
+    if (!known) return;
+    for (const chart of Object.values(this.chart ?? {})) {
+      chart.setOwnColor(this.page.color(known));
+    }
+  }
+
   #makeCharts() {
-    const series = [{label: 'is', color: '--chart-1'},
+    const series = [{label: 'is', color: '--chart-1', own: true},
       {label: 'desired', color: '--chart-2', dash: true}];
     const chart = (options) => new TimeChart(this.charts, {...options, series});
     return {

@@ -1,6 +1,7 @@
 // The line above the map: mission, time, state of the clock, connection; and the layers' menu.
 
 import {element, setAttribute, setText} from './dom.js';
+import {kPulseStyles} from './draw_signals.js';
 import {clip, missionTime, quantity} from './text.js';
 
 const kStates = {
@@ -48,7 +49,7 @@ export function bannerWords(clock, connection, reason) {
         : `The mission starts; awaited: ${clip(awaited.slice(0, 5).join(', '), 200)}${more}.`;
     }
     case 'paused': return 'Paused.';
-    case 'ended': return 'The mission has ended; this is how it ended.';
+    case 'ended': return '';  // The verdict is shown.
     case 'silent': return 'The launcher has been silent for three seconds: is it stopped?';
     case 'lost': return 'The launcher has gone without an end; this is the last that was seen.';
     default: return '';
@@ -58,7 +59,7 @@ export function bannerWords(clock, connection, reason) {
 const kConnections = {connecting: '… connecting', live: '● live', lost: '⚠ connection lost'};
 
 export class TopBar {
-  constructor(onLayer) {
+  constructor(onLayer, onPulseStyle) {
     const find = (id) => document.getElementById(id);
     this.mission = find('mission');
     this.clock = find('clock-time');
@@ -73,6 +74,11 @@ export class TopBar {
       this.boxes.set(name, box);
       return element('label', {}, box, element('kbd', {}, String((i + 1) % 10)), ` ${label}`);
     });
+    this.pulseStyle = element('select', {id: 'pulse-style', 'aria-label': 'How pulses are drawn',
+      onchange: () => onPulseStyle(this.pulseStyle.value)},
+    kPulseStyles.map(([style, label]) => element('option', {value: style}, label)));
+    const place = kLayers.findIndex(([name]) => name === 'pulses') + 1;
+    rows.splice(place, 0, element('div', {class: 'choice'}, this.pulseStyle));
     this.layers.querySelector('fieldset').replaceChildren(...rows);
     document.addEventListener('pointerdown', (event) => {
       if (!this.layers.contains(event.target)) this.layers.open = false;
@@ -99,6 +105,10 @@ export class TopBar {
   closeLayers() {
     this.layers.open = false;
     this.layers.querySelector('summary').focus();
+  }
+
+  showPulseStyle(style) {
+    this.pulseStyle.value = style;
   }
 
   showLayers(layers) {

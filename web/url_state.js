@@ -2,6 +2,8 @@
 //
 //   #x=12&y=-150&mpp=0.5&follow=alpha&select=alpha&layers=trails,names&tab=comms&t=93.5&theme=light
 
+import {kPulseStyles} from './draw_signals.js';
+
 const kMaxName = 64;
 const kMaxPosition_m = 1e7;
 
@@ -40,6 +42,7 @@ export function readHash(hash, layerNames) {
     tab: oneOf('tab', kTabs),
     t: number('t', -1e12, 1e12),
     theme: oneOf('theme', kThemes),
+    pulses: oneOf('pulses', kPulseStyles.map(([style]) => style)),
   };
 }
 
@@ -65,5 +68,6 @@ export function writeHash(state) {
   put('tab', state.tab);
   put('t', rounded(state.t, 2));
   put('theme', state.theme);
+  put('pulses', state.pulses);
   return `#${query.toString().replaceAll('%2C', ',')}`;
 }

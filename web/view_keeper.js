@@ -1,5 +1,6 @@
 // Keeps the view in the page's address, and takes it from there.
 
+import {kPulseStyles} from './draw_signals.js';
 import {kLayers} from './top_bar.js';
 import {readHash, writeHash} from './url_state.js';
 
@@ -40,6 +41,8 @@ export class ViewKeeper {
     if (state.from !== null && state.to !== null) page.openLink(state.from, state.to);
     if (state.layers) page.map.view = {layers: state.layers};
     page.top.showLayers(page.map.view.layers);
+    if (state.pulses) page.map.view = {pulseStyle: state.pulses};
+    page.top.showPulseStyle(page.map.view.pulseStyle);
     this.#place(state);
     if (page.isRecorded && state.t !== null) page.source.seek(state.t);
     this.hash = location.hash;
@@ -74,12 +77,13 @@ export class ViewKeeper {
 
   #state() {
     const {page} = this;
-    const {cx, cy, metresPerPixel, follow, layers} = page.map.view;
+    const {cx, cy, metresPerPixel, follow, layers, pulseStyle} = page.map.view;
     const sameLayers = this.layerNames.every((name) => layers[name] === this.firstLayers[name]);
     return {
       x: cx, y: cy, metresPerPixel, follow, select: page.selected, from: page.link?.from,
       to: page.link?.to, layers: sameLayers ? null : layers, tab: page.tabs.current,
       t: page.isRecorded ? page.source.t : null, theme: document.documentElement.className,
+      pulses: pulseStyle === kPulseStyles[0][0] ? null : pulseStyle,
     };
   }
 }

@@ -13,6 +13,7 @@
 #include "lib/tools/view/links_json.h"
 #include "lib/tools/view/setup_json.h"
 #include "lib/tools/view/vehicle_json.h"
+#include "lib/tools/view/verdict_json.h"
 #include "lib/tools/view/view_limits.h"
 
 namespace shoal {
@@ -75,13 +76,17 @@ void LiveView::SetClockGone(std::string_view state) {
   has_clock_ = true;
 }
 
+void LiveView::SetVerdict(MissionVerdict verdict) {
+  const std::lock_guard lock(mutex_);
+  ++num_changes_;
+  verdict_ = std::move(verdict);
+}
+
 std::string LiveView::StreamFrameJson() {
   const std::lock_guard lock(mutex_);
   FrameParts parts = PartsOfNow();
-  parts.pulses = scene_.pulses().Since(pulses_sent_, scene_.now_utime());
-  const size_t num_sent = std::min(parts.pulses.size(), kMaxStreamPulses);
-  parts.pulses_left_out = static_cast<int64_t>(parts.pulses.size() - num_sent);
-  parts.pulses.resize(num_sent);
+  parts.pulses = scene_.pulses().TakeForStream(pulses_sent_, scene_.now_utime(), kMaxStreamPulses,
+                                               &parts.pulses_left_out);
   parts.packets = scene_.packets().Since(packets_sent_, scene_.now_utime());
   pulses_sent_ = scene_.pulses().last_order();
   packets_sent_ = scene_.packets().last_order();
@@ -120,6 +125,11 @@ Result<std::string> LiveView::MediumLinksJson(std::string_view medium, double /*
 std::string LiveView::FatesJson(const FateQuery& query, double /*t_s*/) {
   const std::lock_guard lock(mutex_);
   return shoal::FatesJson(fates_, query, scene_);
+}
+
+std::string LiveView::VerdictJson() {
+  const std::lock_guard lock(mutex_);
+  return shoal::VerdictJson(verdict_);
 }
 
 std::string LiveView::EventsJson() {

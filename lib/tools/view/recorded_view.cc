@@ -15,6 +15,7 @@
 #include "lib/tools/view/recorded_log.h"
 #include "lib/tools/view/setup_json.h"
 #include "lib/tools/view/vehicle_json.h"
+#include "lib/tools/view/verdict_json.h"
 
 namespace shoal {
 
@@ -78,6 +79,7 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
   view->setup_json_ = view->MakeSetupJson(options.boot, view->notes_);
   view->trails_json_ = shoal::TrailsJson(kept.vehicles, view->index_.trails);
   view->events_json_ = shoal::EventsJson(view->index_.events, view->blank_.start_utime());
+  view->verdict_json_ = shoal::VerdictJson(VerdictBeside(LogFileOf(path)));
   return view;
 }
 
@@ -143,6 +145,7 @@ std::string RecordedView::SetupJsonWith(const std::string& boot, const std::stri
 std::string RecordedView::SetupJson(bool /*commands*/) { return setup_json_; }
 std::string RecordedView::TrailsJson() { return trails_json_; }
 std::string RecordedView::EventsJson() { return events_json_; }
+std::string RecordedView::VerdictJson() { return verdict_json_; }
 
 std::string RecordedView::FrameJson(double t_s) {
   const int64_t line_us = LineOf(t_s);

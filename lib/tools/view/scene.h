@@ -132,6 +132,7 @@ class Scene {
   const LinkBook& links() const { return links_; }
   const MediaLinks& media_links() const { return media_links_; }
   const PulseBook& pulses() const { return pulses_; }
+  PulseBook& pulses() { return pulses_; }
   const PacketBook& packets() const { return packets_; }
   double sound_mps() const { return sound_mps_; }
 

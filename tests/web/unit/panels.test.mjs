@@ -11,6 +11,20 @@ import {contactWords} from '../../../web/panel_swarm.js';
 import {alarmsOf, modeOf, reportAge, shortMode} from '../../../web/panel_vehicle.js';
 import {marksOf} from '../../../web/timeline.js';
 import {bannerWords, clockWords} from '../../../web/top_bar.js';
+import {marginWords, resultWords, tidyVerdict} from '../../../web/verdict.js';
+
+test('a verdict has the number and the margin of every expectation', () => {
+  assert.equal(marginWords({passed: true, margin: 2.25, unit: 'm'}), 'margin 2.25 m');
+  assert.equal(marginWords({passed: false, margin: -12, unit: 's'}), 'missed by 12 s');
+  assert.equal(marginWords({passed: true, margin: null}), '');
+  assert.equal(resultWords({result: 'PASS', why: ''}), 'ended: PASS');
+  assert.equal(resultWords({result: 'FAIL', why: '1 collision'}), 'ended: FAIL: 1 collision');
+  for (const answer of [null, {}, {verdict: 7}, {verdict: {result: 3}}]) {
+    assert.equal(tidyVerdict(answer), null);
+  }
+  assert.deepEqual(tidyVerdict({verdict: {result: 'PASS', expectations: [1, {text: 'a'}]}})
+    .expectations, [{text: 'a'}]);
+});
 
 test('a chart gets columns as long as its times, which grow, whatever came', () => {
   assert.deepEqual(cleanColumns([1, 1, 0, 2, NaN, 3], [[5, 6, 7, null], 'nonsense']),
