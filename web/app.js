@@ -1,7 +1,7 @@
 // Puts the page together: asks for the mission, then lets source, map and panels know of one
 // another.
 
-import {tidyEvents, tidySetup} from './answers.js';
+import {tidyEvents, tidySetup, withoutMissingHelms} from './answers.js';
 import {setCauses} from './causes.js';
 import {setVehicles, vehicleColor} from './colors.js';
 import {Commands} from './commands.js';
@@ -188,7 +188,8 @@ class Page {
     if (place) this.map.view = {cx: place.x, cy: place.y};
   }
 
-  #takeFrame(frame) {
+  #takeFrame(come) {
+    const frame = {...come, vehicles: withoutMissingHelms(come.vehicles, this.setup)};
     this.frame = frame;
     this.frames += 1;
     this.world.addFrame(frame, performance.now());
@@ -269,7 +270,6 @@ class Page {
     try {
       const known = tidyEvents(await this.requests.get('/api/events'));
       this.panels.events.update(known);
-      this.timeline?.setEvents(known);
     } catch {
       await pause(kRetry_ms);
       if (asked === this.numEvents) this.#askEvents();

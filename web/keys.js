@@ -40,7 +40,8 @@ function escape(page) {
   else if (page.commands?.aimed) page.commands.aim(null);
   else if (page.map.measuring) measure(page);
   else if (page.link && page.tabs.current === 'comms') page.openLink(null, null);
-  else page.select(null);
+  else if (page.selected) page.select(null);
+  else document.getElementById('notes').hidden = true;
 }
 
 function showHelp() {

@@ -67,6 +67,7 @@ export class MapPainter {
   #coverage = [];
   #floor = null;
   #planOf = new Map();
+  #kept = [];
   #version = 0;   // Of the setup and the choice of layers.
   #ground = new MapLayer({opaque: true});
   #pulses = new MapLayer();
@@ -90,6 +91,10 @@ export class MapPainter {
     this.#floor = setup?.floor ? new FloorPicture(setup.floor) : null;
     this.#planOf = new Map(
         arrayOr(setup?.vehicles).map((vehicle) => [vehicle?.name, planOf(vehicle)]));
+    // What is to be seen beside a label: obstacles and loiters.
+    this.#kept = [...this.#obstacles.map(({polygon}) => polygon),
+      ...[...this.#planOf.values()].flat().filter(({closed}) => closed).map(({points}) => points)]
+        .filter((points) => points.length > 2 && points.length < 1000).slice(0, 500);
     this.#trailStamp.version = -1;
     this.#swathStamp.version = -1;
     this.changed();
@@ -128,7 +133,9 @@ export class MapPainter {
       if (layers.reported) drawReported(ctx, camera, theme, vehicles, t);
       drawBelieved(ctx, camera, theme, vehicles);
       drawVehicles(ctx, camera, theme, vehicles, view, view.ratio);
-      if (layers.names) this.#labels.draw(ctx, camera, theme, vehicles, t, view, nowMs);
+      if (layers.names) {
+        this.#labels.draw(ctx, camera, theme, vehicles, t, view, nowMs, this.#kept);
+      }
     }
     if (layers.grid) drawGridNumbers(ctx, camera, theme);
     if (view.mark) drawMark(ctx, camera, theme, view.mark);

@@ -8,7 +8,11 @@ import {modemWords} from './modem.js';
 import {SwarmTables} from './panel_swarm.js';
 import {Poller} from './poller.js';
 import {age, clip, heading, quantity, words} from './text.js';
+import {groupRow, ListChoice, rowsOf} from './vehicle_list.js';
 
+// Of the list's rows.
+const kVehicleKey = 'vehicle ';
+const kGroupKey = 'group ';
 const kWindows_s = [60, 120, 600, 3600];
 
 /** Why a vehicle does not move, in words; "" where nothing holds it. */
@@ -51,7 +55,10 @@ export class VehiclePanel {
     this.page = page;
     this.root = root;
     const body = element('tbody');
-    this.list = new KeyedList(body, (name) => this.#row(name));
+    this.list = new KeyedList(body, (key) => (key.startsWith(kGroupKey)
+      ? groupRow(key.slice(kGroupKey.length), (group) => this.choice.toggleGroup(group))
+      : this.#row(key.slice(kVehicleKey.length))));
+    this.choice = new ListChoice(() => page.frame && this.#showList(page.frame));
     this.facts = element('dl', {class: 'facts'});
     this.factList = new KeyedList(this.facts, (label) => factRow(label));
     this.titleText = element('span');
@@ -70,11 +77,11 @@ export class VehiclePanel {
     this.hint = element('p', {class: 'hint'},
       'Click a vehicle on the map or in the list, or press ', element('kbd', {}, 'n'), '.');
     root.replaceChildren(
-      element('section', {}, element('h3', {}, 'Vehicles'), element('div', {class: 'list-scroll'},
-        element('table', {id: 'vehicles', class: 'vehicles'}, element('thead', {}, element('tr', {},
-          [['Name'], ['Mode'], ['Speed', 'm/s'], ['Depth', 'm'], ['Report', 'age']].map(
-            ([label, unit]) => element('th', {scope: 'col'}, label,
-              unit ? element('small', {}, ` ${unit}`) : null)))), body))),
+      element('section', {}, element('h3', {}, 'Vehicles'), this.choice.root,
+        element('div', {class: 'list-scroll'},
+          element('table', {id: 'vehicles', class: 'vehicles'}, element('thead', {}, element('tr', {},
+            [['name', 'Name'], ['mode', 'Mode'], ['speed', 'Speed', 'm/s'], ['depth', 'Depth', 'm'],
+              ['report', 'Report', 'age']].map((column) => this.choice.head(...column)))), body))),
       this.hint, this.detail);
     this.poller = new Poller(page.isRecorded ? 300 : 500, () => this.#ask(), () => (
       page.isRecorded ? `${page.selected} ${this.window.value}@${page.source.t}` : null));
@@ -94,9 +101,11 @@ export class VehiclePanel {
     this.root.classList.toggle('chosen', Boolean(name));
     setText(this.titleText, name ?? '');
     setText(this.alarm, '');
+    const chosen = `${kVehicleKey}${name}`;
     for (const [key, row] of this.list.rows) {
-      setAttribute(row.root, 'aria-selected', String(key === name));
-      if (key === name) row.root.scrollIntoView({block: 'nearest'});
+      if (!key.startsWith(kVehicleKey)) continue;
+      setAttribute(row.root, 'aria-selected', String(key === chosen));
+      if (key === chosen) row.root.scrollIntoView({block: 'nearest'});
     }
     this.show(this.visible);
     this.poller.renew();
@@ -104,10 +113,16 @@ export class VehiclePanel {
 
   /** Shows `frame`; called some times per second while the panel is seen. */
   frame(frame) {
-    this.list.sync(frame.vehicles.map((vehicle) => ({vehicle, t: frame.t})),
-      ({vehicle}) => vehicle.name);
+    this.#showList(frame);
     const chosen = frame.vehicles.find(({name}) => name === this.page.selected);
     if (chosen) this.#showFacts(chosen, frame);
+  }
+
+  #showList({vehicles, t}) {
+    const found = rowsOf(vehicles, t, this.choice);
+    this.list.sync(found.rows.map((row) => ({...row, t})), ({vehicle, group}) => (
+      vehicle ? `${kVehicleKey}${vehicle.name}` : `${kGroupKey}${group}`));
+    this.choice.show(found, vehicles.length);
   }
 
   reset() {

@@ -156,7 +156,7 @@ export class LiveSource {
 /** The speeds of a recorded mission, mission seconds per second. */
 export const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16, 32, 64];
 
-const kGrave = ['collision', 'aground', 'all_stop'];
+const kGrave = ['collision', 'aground', 'all_stop', 'missed'];
 const kNearer_s = 0.01;
 
 export const isGrave = (event) => kGrave.includes(event.kind);

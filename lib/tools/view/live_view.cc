@@ -37,7 +37,7 @@ LiveView::LiveView(const Mission& mission, std::string boot, std::vector<std::st
     : scene_(mission),
       vehicle_histories_(mission.vehicles.size()),
       trails_(mission.vehicles.size()),
-      events_(WatchedVehiclesOf(mission)) {
+      events_(WatchedVehiclesOf(mission), PlannedEventsOf(mission)) {
   SetupFacts facts{.boot = std::move(boot), .end_s = mission.duration_s, .notes = std::move(notes)};
   const std::string floor = FloorJson(mission, &facts.notes);
   setup_json_ = shoal::SetupJson(mission, facts, floor);
@@ -134,7 +134,11 @@ std::string LiveView::VerdictJson() {
 
 std::string LiveView::EventsJson() {
   const std::lock_guard lock(mutex_);
-  return shoal::EventsJson(events_.events(), scene_.start_utime());
+  if (!verdict_) return shoal::EventsJson(events_.events(), scene_.start_utime());
+  std::vector<ViewEvent> events = events_.events();
+  const std::vector<ViewEvent> last = EventsOf(*verdict_, scene_.start_utime());
+  events.insert(events.end(), last.begin(), last.end());
+  return shoal::EventsJson(events, scene_.start_utime());
 }
 
 Result<std::string> LiveView::LinkJson(std::string_view from, std::string_view to, double /*t_s*/) {
@@ -180,6 +184,14 @@ void LiveView::OnNav(size_t vehicle, const nav_t& nav) {
 
 void LiveView::OnHelm(size_t vehicle, const helm_state_t& helm) { events_.OnHelm(vehicle, helm); }
 
+void LiveView::OnDecision(size_t vehicle, const helm_decision_t& decision) {
+  events_.OnDecision(vehicle, decision);
+}
+
+void LiveView::OnNavigation(size_t vehicle, const navigation_t& navigation) {
+  events_.OnNavigation(vehicle, navigation);
+}
+
 void LiveView::OnReport(size_t vehicle, const ReceivedReport& report) {
   if (trails_.size() <= vehicle) trails_.resize(vehicle + 1);
   if (scene_.vehicles()[vehicle].nav) return;
@@ -196,6 +208,7 @@ void LiveView::OnFate(const FateView& fate, const LinkPlace& place) {
     events_.SetName(number, names.at(number));
   }
   events_.OnFate(place.from, place.to, fate.facts.cause, fate.facts.utime);
+  if (fate.facts.kind == Kind::kMessage) events_.OnMessage(place.from, place.to, fate);
   const auto link = static_cast<size_t>(place.link);
   if (link_histories_.size() <= link) link_histories_.resize(link + 1);
   link_histories_[link].Add(fate.facts, scene_.SecondsOf(fate.facts.utime));
@@ -212,7 +225,7 @@ FrameParts LiveView::PartsOfNow() const {
   FrameParts parts = WholeFrame(scene_);
   parts.clock = clock_;
   parts.commands = commands_;
-  parts.num_events = static_cast<int64_t>(events_.events().size());
+  parts.num_events = static_cast<int64_t>(events_.events().size() + (verdict_ ? 1 : 0));
   return parts;
 }
 

@@ -70,6 +70,8 @@ class LiveView : public ViewSource, private SceneObserver {
  private:
   void OnNav(size_t vehicle, const nav_t& nav) override;
   void OnHelm(size_t vehicle, const helm_state_t& helm) override;
+  void OnDecision(size_t vehicle, const helm_decision_t& decision) override;
+  void OnNavigation(size_t vehicle, const navigation_t& navigation) override;
   void OnReport(size_t vehicle, const ReceivedReport& report) override;
   void OnFate(const FateView& fate, const LinkPlace& place) override;
   void OnMedium(const FateView& medium) override { fates_.AddMedium(medium); }

@@ -78,8 +78,15 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
   if (!log->knows_mission) view->shown_.duration_s = view->end_s();
   view->setup_json_ = view->MakeSetupJson(options.boot, view->notes_);
   view->trails_json_ = shoal::TrailsJson(kept.vehicles, view->index_.trails);
-  view->events_json_ = shoal::EventsJson(view->index_.events, view->blank_.start_utime());
-  view->verdict_json_ = shoal::VerdictJson(VerdictBeside(LogFileOf(path)));
+  const std::optional<MissionVerdict> verdict = VerdictBeside(LogFileOf(path));
+  std::vector<ViewEvent> events = view->index_.events;
+  if (verdict) {
+    for (ViewEvent& event : EventsOf(*verdict, view->blank_.start_utime())) {
+      events.push_back(std::move(event));
+    }
+  }
+  view->events_json_ = shoal::EventsJson(events, view->blank_.start_utime());
+  view->verdict_json_ = shoal::VerdictJson(verdict);
   return view;
 }
 

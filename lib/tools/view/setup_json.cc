@@ -67,6 +67,7 @@ void WriteVehicle(const Mission& mission, const Vehicle& vehicle, uint32_t color
       .Number("length_m", vehicle.length_m, kCentimetres)
       .Text("model", knows_models ? FactsOfModel(vehicle.model).name : "")
       .Boolean("in_swarm", mission.SwarmOf(vehicle) != nullptr)
+      .Boolean("has_helm", vehicle.helm != Provider::kNone)
       .Key("start");
   WritePoint({vehicle.start.x_m, vehicle.start.y_m}, json);
   json->Key("return");

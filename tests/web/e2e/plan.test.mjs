@@ -101,6 +101,20 @@ test('a recording opens with the plan of its behaviors, which brightens once the
   assert.ok(Math.max(...active) > Math.max(...before) + 40, `active: ${active}, before: ${before}`);
 });
 
+test('the table of why it steers so has room at 1280 pixels', async () => {
+  const page = pages.loiters;
+  await seek(page, 30);
+  await page.evaluate(() => globalThis.shoalViewer.select('alpha'));
+  await until('the table', () => page.locator('#decision').isVisible());
+  const cut = await page.locator('#decision').evaluate((section) => {
+    const { right } = document.getElementById('side').getBoundingClientRect();
+    return [...section.querySelectorAll('th, td')].filter((cell) =>
+      cell.getBoundingClientRect().right > right - 4 || cell.scrollWidth > cell.clientWidth + 1)
+      .map((cell) => cell.textContent);
+  });
+  assert.deepEqual(cut, []);
+});
+
 test('the first view shows what is planned, not the shore station nine kilometres away', async () => {
   const scale = await pages.gateway.evaluate(() => globalThis.shoalViewer.map.view.metresPerPixel);
   assert.ok(scale < 4, `${scale} m per pixel`);
@@ -124,6 +138,14 @@ test('each vehicle has a colour of its own, the same in the list and on the map'
   const line = page.locator('#vehicle .chart .swatch').first();
   await until('the chart', () => line.isVisible());
   assert.equal(await line.evaluate((swatch) => swatch.style.borderColor), row);
+});
+
+test('a buoy and a station show no missing helm', async () => {
+  const { list, map } = await pages.gateway.evaluate(() => ({
+    list: document.getElementById('vehicles').textContent,
+    map: globalThis.shoalViewer.frame.vehicles.map(({ mode }) => mode) }));
+  assert.doesNotMatch(list, /NOHELM/);
+  assert.ok(map.every((mode) => !mode.startsWith('NOHELM')));
 });
 
 test('of many pulses those of the chosen vehicle stand out, and Layers has the choice', async () => {

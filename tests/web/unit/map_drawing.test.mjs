@@ -25,6 +25,18 @@ test('a label with room stands to the right, in full', () => {
   assert.deepEqual(placeLabels([item(100, 100)]), [{form: 0, side: 0, x: 112, y: 82.5}]);
 });
 
+test('a label keeps clear of a wreck or a small loiter, on a leader line where it must', () => {
+  const beside = {x: 100, y: 60, width: 120, height: 80};
+  const [moved] = placeLabels([item(100, 100)], 800, 600, [beside]);
+  assert.ok(moved.side !== 0, 'not over it');
+  const around = {x: 80, y: 75, width: 50, height: 50};
+  const [led] = placeLabels([item(100, 100)], 800, 600, [around]);
+  assert.ok(led.side >= 4, `a leader line: ${led.side}`);
+  const everywhere = {x: 0, y: 0, width: 800, height: 600};
+  assert.ok(placeLabels([item(100, 100)], 800, 600, [everywhere])[0].side < 4,
+            'where there is no room it stands beside its vehicle');
+});
+
 test('labels never overlap, and where it is crowded some are shortened or left out', () => {
   const items = Array.from({length: 80},
                            (_, i) => item(200 + (i * 53) % 170, 200 + (i * 31) % 140));

@@ -3,6 +3,7 @@ import {test} from 'node:test';
 
 import {axisRange, cleanColumns, headingStrokes} from '../../../web/charts.js';
 import {commandWords, gotoWords} from '../../../web/commands.js';
+import {chosenEvents, kEventGroups} from '../../../web/panel_events.js';
 import {mergeFates} from '../../../web/panel_fates.js';
 import {causeCounts} from '../../../web/panel_link.js';
 import {cellSize, cellWords, mediaToChoose} from '../../../web/panel_matrix.js';
@@ -24,6 +25,19 @@ test('a verdict has the number and the margin of every expectation', () => {
   }
   assert.deepEqual(tidyVerdict({verdict: {result: 'PASS', expectations: [1, {text: 'a'}]}})
     .expectations, [{text: 'a'}]);
+});
+
+test('events are chosen by kind, vehicle and words', () => {
+  const events = [{kind: 'task', vehicles: ['alpha'], text: 'alpha: task survey'},
+    {kind: 'message_lost', vehicles: ['alpha', 'bravo'], text: 'message 3: out of range'},
+    {kind: 'collision', vehicles: ['bravo'], text: 'bravo'}];
+  const kinds = (choice) => chosenEvents(events, choice).map(({kind}) => kind);
+  assert.deepEqual(kinds({group: 'all', vehicle: '', text: ''}).length, 3);
+  assert.deepEqual(kinds({group: 'messages', vehicle: '', text: ''}), ['message_lost']);
+  assert.deepEqual(kinds({group: 'all', vehicle: 'bravo', text: ''}), ['message_lost', 'collision']);
+  assert.deepEqual(kinds({group: 'all', vehicle: '', text: ' SURVEY'}), ['task']);
+  assert.deepEqual(kinds({group: 'no such', vehicle: '', text: 'message lost'}), ['message_lost']);
+  assert.ok(kEventGroups.every(([, , list]) => list === null || list.length > 0));
 });
 
 test('a chart gets columns as long as its times, which grow, whatever came', () => {
