@@ -45,7 +45,7 @@ class Page {
     this.numEvents = null;
     this.connection = ['connecting', ''];
     this.top = new TopBar((name, on) => this.setLayer(name, on),
-        (style) => this.setPulseStyle(style));
+        (style) => this.setPulseStyle(style), (files) => this.#putUnder(files));
     this.tabs = new Tabs(find('side'), () => this.#showPanels());
     this.map = new MapView(find('map'), {
       onVehicle: (name) => this.#clickVehicle(name),
@@ -55,6 +55,7 @@ class Page {
     });
     this.verdict = new VerdictBox(find('verdict'));
     this.keeper = new ViewKeeper(this);
+    this.#takeDrops(find('stage'));
     fillHelp(find('help'));
     listenToKeys(this);
   }
@@ -221,6 +222,7 @@ class Page {
     this.numEvents = null;
     this.ended = false;
     this.verdict.show(null);
+    this.top.showResult(null);
     this.openLink(null, null);
     this.#showMission();
     for (const panel of Object.values(this.panels)) panel.reset();
@@ -256,6 +258,7 @@ class Page {
         if (world !== this.world) return;
         if (verdict) {
           this.verdict.show(verdict, open);
+          this.top.showResult(verdict.result);
           return;
         }
       } catch {
@@ -282,6 +285,26 @@ class Page {
     }
     this.panels_ms = -Infinity;
     this.keeper?.changed();
+  }
+
+  // Files that are dropped anywhere else must not replace the page.
+  #takeDrops(stage) {
+    for (const type of ['dragover', 'drop']) {
+      document.addEventListener(type, (event) => {
+        if (event.dataTransfer?.types?.includes('Files')) event.preventDefault();
+      });
+    }
+    stage.addEventListener('drop', (event) => {
+      if (event.dataTransfer?.files?.length > 0) this.#putUnder(event.dataTransfer.files);
+    });
+  }
+
+  /** @param files  to lie under the mission; null: none any more */
+  async #putUnder(files) {
+    if (!this.setup) return;
+    if (files === null) this.map.removeBackgrounds();
+    else this.top.note((await this.map.addBackgrounds(files)).slice(0, 10));
+    this.top.showBackgrounds(this.map.backgrounds);
   }
 
   #showPointer(place) {

@@ -10,6 +10,8 @@ export function element(tag, attributes = {}, ...children) {
   for (const [name, value] of Object.entries(attributes)) {
     if (value === null || value === false || value === undefined) continue;
     if (typeof value === 'function') made.addEventListener(name.slice(2), value);
+    // The page's security policy refuses the attribute.
+    else if (name === 'style') made.style.cssText = value;
     else made.setAttribute(name, value === true ? '' : String(value));
   }
   for (const child of children.flat()) {

@@ -1,5 +1,6 @@
 // Puts the map together from its layers: sea floor, pulses, tasks, trails, vehicles, labels.
 
+import {Backgrounds} from './background.js';
 import {FloorPicture, drawGridNumbers, drawGround} from './draw_ground.js';
 import {LabelLayer} from './draw_labels.js';
 import {drawMark, drawMeasure, drawNorth, drawScaleBar} from './draw_overlay.js';
@@ -60,6 +61,8 @@ export function surveysOf(setup) {
 
 export class MapPainter {
   motion = new Motion();
+  /** What a user has put under the mission. */
+  backgrounds = new Backgrounds();
   #world = null;
   #area = [];
   #surveys = [];
@@ -113,10 +116,10 @@ export class MapPainter {
     this.motion.frame(nowMs);
     ctx.fillStyle = theme.water;
     ctx.fillRect(0, 0, camera.width, camera.height);
-    this.#show(this.#ground, ctx, view, '', nowMs, (to, wide) =>
+    this.#show(this.#ground, ctx, view, String(this.backgrounds.version), nowMs, (to, wide) =>
       drawGround(to, wide, theme,
                  {floor: this.#floor, area: this.#area, surveys: this.#surveys,
-                  obstacles: this.#obstacles, layers}));
+                  obstacles: this.#obstacles, backgrounds: this.backgrounds.all, layers}));
     if (this.#world) {
       if (layers.area && this.#coverage.length > 0) this.#paintSwaths(ctx, view, shown, nowMs);
       if (layers.pulses) this.#paintPulses(ctx, view, t, nowMs);

@@ -16,7 +16,7 @@ import {placesToFit} from './map_places.js';
 
 const kLayers = {
   trails: true, reported: true, tasks: true, ranges: false, pulses: true, rings: true,
-  contours: true, area: true, grid: true, names: true,
+  contours: true, area: true, grid: true, names: true, background: true,
 };
 const kHit = 16;
 const kMaxPixels = 16e6;
@@ -118,6 +118,15 @@ export class MapView {
 
   /** Shows a place that the user has chosen, {x, y, label}, or none (null). */
   setMark(mark) { this.#mark = isNumber(mark?.x) && isNumber(mark?.y) ? mark : null; }
+
+  /** Puts files under the mission; returns texts for the user. */
+  async addBackgrounds(files) {
+    const {left, right, bottom, top} = this.#camera;
+    return this.#painter.backgrounds.take([...files], this.#frame, {left, right, bottom, top});
+  }
+
+  removeBackgrounds() { this.#painter.backgrounds.clear(); }
+  get backgrounds() { return this.#painter.backgrounds.all.map(({name}) => name); }
 
   /** Shows the whole mission. */
   fit() {

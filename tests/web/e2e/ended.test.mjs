@@ -57,7 +57,7 @@ test('at warp max the mission waits for its page, and the page shows how it ende
   assert.match(lines[0], /^✗alpha within 5 m of \(200, 0\) by 20 s:/, 'the missed one is first');
   assert.match(lines[1], /✓alpha at most 50 m off its track: margin \d+(\.\d+)? m/);
   assert.equal(await page.locator('#banner').isVisible(), false, 'no connection is lost');
-  assert.match(await page.textContent('#clock-state'), /ended/);
+  await until('the result', async () => await page.textContent('#clock-state') === '■ ended: FAIL');
   await page.waitForTimeout(3000);
   assert.equal(await page.locator('#banner').isVisible(), false, 'nor later');
   assert.equal(run.exitCode, null, 'it stays until Ctrl-C');

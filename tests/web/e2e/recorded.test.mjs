@@ -126,7 +126,7 @@ test('events have what happened, chosen by kind and vehicle, and so have the mar
 
 test('on a phone time line and tabs are within the screen, and nothing of the table is cut', async () => {
   await page.setViewportSize({ width: 390, height: 844 });
-  for (const part of ['#timeline-position', '#timeline-time', '#tab-commands', '#tools button:last-child']) {
+  for (const part of ['#timeline-position', '#timeline-time', '#tab-commands', '#tools > button:last-child']) {
     const box = await page.locator(part).boundingBox();
     assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.y + box.height <= 844,
       `${part}: ${JSON.stringify(box)}`);
