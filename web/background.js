@@ -1,10 +1,11 @@
 // What a user drops onto the page to lie under the mission: coast lines and areas (GeoJSON), a chart
-// (PNG, JPEG or WebP, with its world file). Nothing of it leaves the page.
+// (GeoTIFF; PNG, JPEG or WebP with its world file). Nothing of it leaves the page.
 //
 // Files may hold anything: sizes and counts are bounded, texts are never markup, and an image is
 // drawn as pixels alone.
 
 import {isNumber} from './geometry.js';
+import {readGeoTiff} from './geotiff.js';
 
 const kMaxBytes = 64e6;
 const kMaxPoints = 1_000_000;
@@ -96,6 +97,7 @@ export function cornersOf(text, width, height, frame) {
 }
 
 const kImage = /\.(png|jpe?g|webp)$/i;
+const kTiff = /\.tiff?$/i;
 const kWorld = /\.(pgw|jgw|wld|pngw|jpgw|wpw)$/i;
 const stem = (name) => name.replace(/\.[^.]*$/, '').toLowerCase();
 
@@ -125,7 +127,8 @@ export class Backgrounds {
       } else {
         words.push(await (kImage.test(file.name)
           ? this.#takeImage(file, worlds.get(stem(file.name)), frame, view)
-          : this.#takeShapes(file, frame)));
+          : kTiff.test(file.name) ? this.#takeTiff(file, frame, view)
+            : this.#takeShapes(file, frame)));
       }
     }
     this.version += 1;
@@ -137,7 +140,7 @@ export class Backgrounds {
     try {
       json = JSON.parse(await file.text());
     } catch {
-      return `${file.name}: neither GeoJSON nor an image (PNG, JPEG, WebP)`;
+      return `${file.name}: neither GeoJSON nor an image (GeoTIFF, PNG, JPEG, WebP)`;
     }
     const {shapes, num_left_out: more} = shapesOf(json, frame);
     if (shapes.length === 0) {
@@ -145,6 +148,17 @@ export class Backgrounds {
     }
     this.all.push({name: file.name, shapes});
     return more > 0 ? `${file.name}: ${more} of its shapes are left out, it has too many points` : '';
+  }
+
+  async #takeTiff(file, frame, view) {
+    try {
+      const {width, height, rgba, box} = await readGeoTiff(await file.arrayBuffer(), frame);
+      const image = await createImageBitmap(new ImageData(rgba, width, height));
+      this.all.push({name: file.name, image, box: box ?? fitted(image, view)});
+      return box ? '' : `${file.name}: it does not state where it lies, and is put into the view`;
+    } catch (error) {
+      return `${file.name}: ${error.message}`;
+    }
   }
 
   async #takeImage(file, world, frame, view) {

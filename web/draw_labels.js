@@ -148,7 +148,10 @@ function keptBoxes(camera, outlines) {
     const isSmall = Math.max(box.width, box.height) <= kLargestKept;
     if (isSmall && camera.sees(box.x, box.y, kLargestKept)) boxes.push(box);
   }
-  return boxes.slice(0, 200);
+  // Scale bar and North.
+  boxes.push({x: 0, y: camera.height - 46, width: 190, height: 46},
+             {x: camera.width - 50, y: 0, width: 50, height: 60});
+  return boxes.slice(-200);
 }
 
 // From the vehicle to the nearest point of the label.

@@ -77,6 +77,10 @@ export class EventsPanel {
     if (this.last !== last?.root) {
       this.last?.removeAttribute('aria-current');
       last?.root.setAttribute('aria-current', 'true');
+      // Not under a pointer that is about to click.
+      if (this.page.isRecorded && !this.list.matches(':hover')) {
+        last?.root.scrollIntoView({block: 'nearest'});
+      }
       this.last = last?.root;
     }
   }

@@ -82,7 +82,7 @@ export class TopBar {
     const place = kLayers.findIndex(([name]) => name === 'pulses') + 1;
     rows.splice(place, 0, element('div', {class: 'choice'}, this.pulseStyle));
     this.file = element('input', {type: 'file', id: 'background-file', multiple: true,
-      accept: '.geojson,.json,.png,.jpg,.jpeg,.webp,.pgw,.jgw,.wld', 'aria-label': 'Add a background',
+      accept: '.geojson,.json,.tif,.tiff,.png,.jpg,.jpeg,.webp,.pgw,.jgw,.wld', 'aria-label': 'Add a background',
       onchange: () => onFiles(this.file.files)});
     this.remove = element('button', {type: 'button', id: 'background-remove', hidden: true,
       onclick: () => onFiles(null)}, 'Remove');
