@@ -8,6 +8,8 @@
 #include "lib/bus/bus/control_message.h"
 #include "lib/comms/routing/control.h"
 #include "lib/comms/routing/vehicle_name.h"
+#include "lib/mission/model/event_text.h"
+#include "lib/run/verdict/mission_verdict.h"
 #include "lib/run/verdict/summary.h"
 
 namespace shoal {
@@ -103,7 +105,9 @@ void DirectorApp::Tick(int64_t utime) {
   for (; next_event_ < mission_.events.size(); ++next_event_) {
     const Event& event = mission_.events[next_event_];
     if (now_s < event.at_s) break;
-    std::visit([&](const auto& what) { PublishEvent(utime, what); }, event.what);
+    const bool is_published =
+        std::visit([&](const auto& what) { return PublishEvent(utime, what); }, event.what);
+    if (is_published) log_.Event(utime, EventText(event));
   }
 }
 
@@ -140,7 +144,7 @@ void DirectorApp::TakeFates(const Message& message) {
   judge_.tally().Take(fates_message_.fates);
 }
 
-void DirectorApp::PublishEvent(int64_t utime, const CommandEvent& event) {
+bool DirectorApp::PublishEvent(int64_t utime, const CommandEvent& event) {
   helm_command_t command;
   command.utime = utime;
   command.command = event.command;
@@ -150,10 +154,10 @@ void DirectorApp::PublishEvent(int64_t utime, const CommandEvent& event) {
   for (const Vehicle* vehicle : mission_.VehiclesNamed(event.vehicle)) {
     Publish(bus_, channels::HelmCommand(vehicle->name), command);
   }
-  log_.Event(utime, fmt::format("{} to {}", event.command, event.vehicle));
+  return true;
 }
 
-void DirectorApp::PublishEvent(int64_t utime, const SimCommandEvent& event) {
+bool DirectorApp::PublishEvent(int64_t utime, const SimCommandEvent& event) {
   sim_command_t command;
   command.utime = utime;
   command.command = event.command;
@@ -162,10 +166,10 @@ void DirectorApp::PublishEvent(int64_t utime, const SimCommandEvent& event) {
   for (const Vehicle* vehicle : mission_.VehiclesNamed(event.vehicle)) {
     Publish(bus_, channels::SimCommand(vehicle->name), command);
   }
-  log_.Event(utime, fmt::format("{} to the simulator of {}", event.command, event.vehicle));
+  return true;
 }
 
-void DirectorApp::PublishEvent(int64_t utime, const RuleEvent& event) {
+bool DirectorApp::PublishEvent(int64_t utime, const RuleEvent& event) {
   unc_control_t control;
   control.utime = utime;
   control.vehicle = event.vehicle;
@@ -173,16 +177,13 @@ void DirectorApp::PublishEvent(int64_t utime, const RuleEvent& event) {
   const ControlRow* row = FindControl(event.rule);
   if (row == nullptr) {
     log_.Warn(fmt::format("event dropped: there is no rule '{}'", event.rule));
-    return;
+    return false;
   }
   Publish(bus_, channels::Control(*row), control);  // Received, and kept, in the next step.
-  std::string text = event.rule;
-  if (!event.vehicle.empty()) text += " of " + event.vehicle;
-  if (row->type != ControlType::kRequest) text += " = " + ControlWord(*row, event.value);
-  log_.Event(utime, text);
+  return true;
 }
 
-void DirectorApp::PublishEvent(int64_t utime, const MessageEvent& event) {
+bool DirectorApp::PublishEvent(int64_t utime, const MessageEvent& event) {
   node_message_t message;
   message.utime = utime;
   message.src_node = event.src_node;
@@ -198,8 +199,7 @@ void DirectorApp::PublishEvent(int64_t utime, const MessageEvent& event) {
   Publish(bus_,
           event.ack ? channels::MediatedMessage(event.src_node) : channels::NodeMessageLocal(),
           message);
-  log_.Event(utime, fmt::format("{} of {} to {}{}", event.var_name, event.src_node, event.dest_node,
-                                event.dest_group.empty() ? "" : " group " + event.dest_group));
+  return true;
 }
 
 void DirectorApp::AnswerControlsRequest(int64_t utime) {
@@ -221,6 +221,10 @@ int64_t DirectorApp::num_blocked() const {
 
 std::string DirectorApp::Summary(bool complete) const {
   return Summarize(mission_, judge_, complete);
+}
+
+std::string DirectorApp::VerdictText(double end_s, bool complete) const {
+  return TextOf(VerdictOf(mission_, judge_, end_s, complete));
 }
 
 bool DirectorApp::Passed() const { return judge_.Passed(); }

@@ -45,6 +45,7 @@ class DirectorApp : public Director {
   const Judge& judge() const { return judge_; }
 
   std::string Summary(bool complete) const override;
+  std::string VerdictText(double end_s, bool complete) const override;
   bool Passed() const override;
   bool EndsMission() const override { return ends_mission_; }
 
@@ -52,10 +53,11 @@ class DirectorApp : public Director {
   void TakeFates(const Message& message);
   void TakeSwarm(size_t vehicle, const swarm_t& swarm);
   void EndLastStep();
-  void PublishEvent(int64_t utime, const CommandEvent& event);
-  void PublishEvent(int64_t utime, const SimCommandEvent& event);
-  void PublishEvent(int64_t utime, const RuleEvent& event);
-  void PublishEvent(int64_t utime, const MessageEvent& event);
+  // Return false where the event was dropped, with a warning.
+  bool PublishEvent(int64_t utime, const CommandEvent& event);
+  bool PublishEvent(int64_t utime, const SimCommandEvent& event);
+  bool PublishEvent(int64_t utime, const RuleEvent& event);
+  bool PublishEvent(int64_t utime, const MessageEvent& event);
   void AnswerControlsRequest(int64_t utime);
   void LookForTheEnd(int64_t utime);
 

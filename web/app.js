@@ -1,7 +1,7 @@
 // Puts the page together: asks for the mission, then lets source, map and panels know of one
 // another.
 
-import {tidyEvents, tidySetup} from './net/answers.js';
+import {tidyEvents, tidySetup, withoutMissingHelms} from './net/answers.js';
 import {setCauses} from './page/causes.js';
 import {setVehicles, vehicleColor} from './page/colors.js';
 import {Commands} from './panels/commands.js';
@@ -24,10 +24,14 @@ import {Timeline} from './page/timeline.js';
 import {TopBar} from './page/top_bar.js';
 import {ViewKeeper} from './page/view_keeper.js';
 import {World} from './map/world.js';
+import {tidyVerdict, VerdictBox} from './panels/verdict.js';
 
 const kPanelEvery_ms = 200;
 const kRetry_ms = 1000;
 const kNearEvent_s = 10;
+// Of the session: the mission that was followed has ended, and its recording is shown.
+const kEndedKey = 'shoal-ended';
+const kVerdictTries = 8;
 
 const find = (id) => document.getElementById(id);
 const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
@@ -45,7 +49,8 @@ class Page {
     this.panels_ms = -Infinity;
     this.numEvents = null;
     this.connection = ['connecting', ''];
-    this.top = new TopBar((name, on) => this.setLayer(name, on));
+    this.top = new TopBar((name, on) => this.setLayer(name, on),
+        (style) => this.setPulseStyle(style), (files) => this.#putUnder(files));
     this.tabs = new Tabs(find('side'), () => this.#showPanels());
     this.map = new MapView(find('map'), {
       onVehicle: (name) => this.#clickVehicle(name),
@@ -57,7 +62,9 @@ class Page {
       this.map.titled = false;
       this.#download(film, 'webm');
     });
+    this.verdict = new VerdictBox(find('verdict'));
     this.keeper = new ViewKeeper(this);
+    this.#takeDrops(find('stage'));
     fillHelp(find('help'));
     listenToKeys(this);
   }
@@ -90,8 +97,12 @@ class Page {
       events: new EventsPanel(this, find('panel-events')),
     };
     this.commands = new Commands(this, find('panel-commands'), (name) => this.#showAim(name));
+    const hasEnded = this.isRecorded && sessionStorage.getItem(kEndedKey) !== null;
+    sessionStorage.removeItem(kEndedKey);
     this.#showMission();
     this.keeper.restore();
+    if (hasEnded) this.source.seek(setup.end_s);
+    if (this.isRecorded) this.#askVerdict(hasEnded, 1);
     this.source.start();
     requestAnimationFrame(() => this.#draw());
   }
@@ -123,6 +134,7 @@ class Page {
   openLink(from, to) {
     this.link = from === null ? null : {from, to};
     this.panels.comms.openLink(this.link);
+    this.map.setLink(this.link);
     this.keeper.changed();
   }
 
@@ -143,6 +155,12 @@ class Page {
   setLayer(name, on) {
     this.map.view = {layers: {[name]: on}};
     this.top.showLayers(this.map.view.layers);
+    this.keeper.changed();
+  }
+
+  setPulseStyle(pulseStyle) {
+    this.map.view = {pulseStyle};
+    this.top.showPulseStyle(pulseStyle);
     this.keeper.changed();
   }
 
@@ -198,13 +216,16 @@ class Page {
     if (place) this.map.view = {cx: place.x, cy: place.y};
   }
 
-  #takeFrame(frame) {
+  #takeFrame(come) {
+    const frame = {...come, vehicles: withoutMissingHelms(come.vehicles, this.setup)};
     this.frame = frame;
     this.frames += 1;
     this.world.addFrame(frame, performance.now());
     if (this.wanted) this.#centreWanted(frame);
     if (this.frames === 1) this.keeper.firstFrame();
     this.top.showConnection(...this.connection, frame.clock);
+    if (frame.clock.state === 'ended' && !this.ended) this.#askVerdict(true, kVerdictTries);
+    this.ended = frame.clock.state === 'ended';
     if (frame.num_events !== this.numEvents && !this.isRecorded) {
       this.numEvents = frame.num_events;
       this.#askEvents();
@@ -215,6 +236,9 @@ class Page {
   #turnTo(setup) {
     if (setup.mode !== this.setup.mode || setup.mode === 'recorded'
         || setup.commands !== this.setup.commands) {
+      if (this.setup.mode === 'live' && setup.mode === 'recorded') {
+        sessionStorage.setItem(kEndedKey, '1');
+      }
       location.reload();
       return;
     }
@@ -223,6 +247,9 @@ class Page {
     setVehicles(setup.vehicles);
     this.frame = null;
     this.numEvents = null;
+    this.ended = false;
+    this.verdict.show(null);
+    this.top.showResult(null);
     this.openLink(null, null);
     this.#showMission();
     for (const panel of Object.values(this.panels)) panel.reset();
@@ -249,12 +276,30 @@ class Page {
     }
   }
 
+  // The launcher leaves the verdict a moment after the clock has ended.
+  async #askVerdict(open, tries) {
+    const world = this.world;
+    for (let i = 0; i < tries && world === this.world; ++i) {
+      try {
+        const verdict = tidyVerdict(await this.requests.get('/api/verdict'));
+        if (world !== this.world) return;
+        if (verdict) {
+          this.verdict.show(verdict, open);
+          this.top.showResult(verdict.result);
+          return;
+        }
+      } catch {
+        // Another try.
+      }
+      await pause(kRetry_ms);
+    }
+  }
+
   async #askEvents() {
     const asked = this.numEvents;
     try {
       const known = tidyEvents(await this.requests.get('/api/events'));
       this.panels.events.update(known);
-      this.timeline?.setEvents(known);
     } catch {
       await pause(kRetry_ms);
       if (asked === this.numEvents) this.#askEvents();
@@ -267,6 +312,26 @@ class Page {
     }
     this.panels_ms = -Infinity;
     this.keeper?.changed();
+  }
+
+  // Files that are dropped anywhere else must not replace the page.
+  #takeDrops(stage) {
+    for (const type of ['dragover', 'drop']) {
+      document.addEventListener(type, (/** @type {DragEvent} */ event) => {
+        if (event.dataTransfer?.types?.includes('Files')) event.preventDefault();
+      });
+    }
+    stage.addEventListener('drop', (event) => {
+      if (event.dataTransfer?.files?.length > 0) this.#putUnder(event.dataTransfer.files);
+    });
+  }
+
+  /** @param files  to lie under the mission; null: none any more */
+  async #putUnder(files) {
+    if (!this.setup) return;
+    if (files === null) this.map.removeBackgrounds();
+    else this.top.note((await this.map.addBackgrounds(files)).slice(0, 10));
+    this.top.showBackgrounds(this.map.backgrounds);
   }
 
   #showPointer(place) {

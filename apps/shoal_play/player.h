@@ -1,6 +1,6 @@
 // Plays a recording on LCM. A playback is a mission whose participants are the one that publishes
 // what the log holds, and those that a user starts beside it. Each jump in the log begins a mission
-// with another id, so that viewers and participants begin anew.
+// with another id, so that viewers and participants start again.
 //
 //   open -> claim ports -> register -> [ session: gather, step, END ] -> count
 //                              ^                 |

@@ -44,6 +44,7 @@ class PartView : public ViewSource {
     return part_->FatesJson(query, t_s);
   }
   std::string EventsJson() override { return part_->EventsJson(); }
+  std::string VerdictJson() override { return part_->VerdictJson(); }
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override {
     return part_->LinkJson(from, to, t_s);
   }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -11,6 +12,7 @@
 #include "lib/base/check/result.h"
 #include "lib/run/run/run_app.h"
 #include "lib/run/run/run_registry.h"
+#include "lib/run/verdict/mission_verdict.h"
 
 namespace shoal {
 
@@ -37,6 +39,10 @@ std::shared_ptr<MissionSession> MissionFollower::session() const {
 }
 
 std::shared_ptr<ViewSource> MissionFollower::source() const {
+  {
+    const std::lock_guard lock(mutex_);
+    if (recording_) return recording_->source();
+  }
   const std::shared_ptr<MissionSession> now = session();
   return {now, &now->view()};
 }
@@ -87,7 +93,26 @@ void MissionFollower::LookAfterMission() {
                                                  });
   if (runs) return;
   last_mission_id_ = running.mission_id;
+  const RunningMission ended = running;
   session_->Leave(session_->is_ending() || !has_entry ? "ended" : "lost");
+  ShowEnded(ended);
+}
+
+void MissionFollower::ShowEnded(const RunningMission& mission) {
+  const std::optional<EndedMission> ended = FindEnded(mission.port_base, mission.mission_id);
+  if (!ended) return;
+  if (auto verdict = ReadVerdict(ended->verdict)) session_->view().SetVerdict(std::move(*verdict));
+  if (ended->log.empty()) return;
+  Result<std::unique_ptr<GrowingLog>> log = GrowingLog::Open(ended->log, "", MonotonicMicroseconds);
+  if (!log.ok()) {
+    fmt::print(stderr, "shoal-viewer: {}\n", log.error());
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    recording_ = std::move(*log);
+  }
+  hub_.EndStreams();
 }
 
 void MissionFollower::LookForMission() {
@@ -109,6 +134,7 @@ void MissionFollower::TurnTo(std::shared_ptr<MissionSession> session) {
   {
     const std::lock_guard lock(mutex_);
     session_.swap(session);
+    recording_.reset();
   }
   shown_changes_ = -1;
   hub_.EndStreams();
@@ -118,6 +144,11 @@ void MissionFollower::Show(int64_t now_us) {
   const bool has_readers = hub_.num_readers() > 0;
   const bool is_first = !std::exchange(had_readers_, has_readers);
   if (!has_readers) return;
+  if (!has_shown_page_) {
+    has_shown_page_ = true;
+    fmt::print("viewer: a page is open\n");
+    std::fflush(stdout);
+  }
   const int64_t age_us = now_us - last_frame_us_;
   const int64_t num_changes = session_->view().num_changes();
   const bool is_due =

@@ -4,6 +4,8 @@
 //                                  |                                                          ^
 //                                  +--its launcher died, its entry stays----> lost -------------+
 //
+// Of a mission that has ended it shows the verdict, and the recording where there is one.
+//
 // A page that stays open sees each: the stream ends where a mission begins, and the page asks
 // everything again.
 #pragma once
@@ -15,6 +17,7 @@
 #include <string>
 
 #include "apps/viewer/event_hub.h"
+#include "apps/viewer/growing_log.h"
 #include "apps/viewer/mission_session.h"
 
 namespace shoal {
@@ -44,6 +47,8 @@ class MissionFollower {
   void Look();
   void LookForMission();
   void LookAfterMission();
+  /// Shows what the mission left: its verdict, its recording.
+  void ShowEnded(const RunningMission& ended);
   void Show(int64_t now_us);
   void TurnTo(std::shared_ptr<MissionSession> session);
   std::shared_ptr<MissionSession> session() const;
@@ -57,9 +62,11 @@ class MissionFollower {
   int64_t last_frame_us_ = 0;
   int64_t shown_changes_ = -1;
   bool had_readers_ = false;
+  bool has_shown_page_ = false;  ///< It was printed that a page is open.
 
   mutable std::mutex mutex_;
   std::shared_ptr<MissionSession> session_;
+  std::shared_ptr<GrowingLog> recording_;  ///< Shown instead of the session; null: the session is.
 };
 
 }  // namespace shoal

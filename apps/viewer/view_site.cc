@@ -104,6 +104,7 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
     if (path == "/api/frame") return Json(source->FrameJson(t_s));
     if (path == "/api/trails") return Json(source->TrailsJson());
     if (path == "/api/events") return Json(source->EventsJson());
+    if (path == "/api/verdict") return Json(source->VerdictJson());
     if (!parts_.is_live && (path == kStreamPath || path == "/api/status")) {
       return ErrorAnswer(404, "not available for a recorded mission");
     }

@@ -24,6 +24,7 @@ class EchoSource : public ViewSource {
     return "fates " + query.vehicle;
   }
   std::string EventsJson() override { return "events"; }
+  std::string VerdictJson() override { return "verdict"; }
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double) override {
     return std::string("link ").append(from).append(" ").append(to);
   }
@@ -73,6 +74,7 @@ TEST(ViewSite, AnswersAtTheAddressesOfTheProtocol) {
   EXPECT_EQ(Ask(site, "/api/vehicle", {{"name", "alpha"}, {"window", "5"}}), "vehicle 5.000000");
   EXPECT_EQ(Ask(site, "/api/status"), "pages");
   EXPECT_EQ(Ask(site, "/api/events"), "events");
+  EXPECT_EQ(Ask(site, "/api/verdict"), "verdict");
   EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "alpha", "words": []})"), "alpha");
 }
 

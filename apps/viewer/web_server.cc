@@ -19,7 +19,7 @@ const httplib::Headers& SafetyHeaders() {
   // run, and no other site can frame it.
   static const httplib::Headers headers = {
       {"Content-Security-Policy",
-       "default-src 'self'; img-src 'self' blob: data:; "
+       "default-src 'self'; img-src 'self' blob: data:; style-src 'self'; "
        "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
       {"X-Content-Type-Options", "nosniff"},
       {"X-Frame-Options", "DENY"},

@@ -21,6 +21,18 @@ TEST(View, RunsBesideTheMissionAndPrintsItsAddress) {
   EXPECT_TRUE(AllGone(participants));
 }
 
+TEST(View, StaysAfterTheMissionUntilItIsInterrupted) {
+  const TestFolder folder;
+  RunningProcess process(folder, {Program("shoal"), "run", MissionFile("alpha.toml"), "--view",
+                                  "--view-http", "0", "--warp", "500"});
+  ASSERT_TRUE(process.WaitFor("the viewer shows it until Ctrl-C")) << process.Output();
+  EXPECT_NE(process.Output().find("PASS"), std::string::npos) << process.Output();
+  EXPECT_NE(RunShoal(folder, {"status"}).exit_code, 0) << "no mission is running";
+  process.Signal(SIGINT);
+  const Finished finished = process.Wait();
+  EXPECT_EQ(finished.exit_code, 0) << "that of the mission: " << finished.output;
+}
+
 TEST(View, MayDieWithoutHarmToTheMission) {
   const TestFolder folder;
   RunningProcess process(folder, {Program("shoal"), "run", MissionFile("alpha.toml"), "--view",

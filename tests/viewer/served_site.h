@@ -58,6 +58,7 @@ class MadeUpSource : public ViewSource {
   }
   std::string FatesJson(const FateQuery&, double) override { return "{}"; }
   std::string EventsJson() override { return "{}"; }
+  std::string VerdictJson() override { return R"({"verdict":null})"; }
   Result<std::string> LinkJson(std::string_view, std::string_view, double) override {
     return std::string("{}");
   }

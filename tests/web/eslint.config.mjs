@@ -10,13 +10,13 @@ const browser = known([
   'EventSource',
   'HTMLElement', 'Image', 'ImageData', 'MediaRecorder', 'MutationObserver', 'Node', 'Path2D',
   'ResizeObserver', 'Response', 'SharedWorker', 'URL', 'URLSearchParams', 'addEventListener', 'atob', 'cancelAnimationFrame',
-  'clearInterval', 'clearTimeout', 'console', 'devicePixelRatio', 'document', 'fetch',
-  'getComputedStyle', 'history', 'location', 'matchMedia', 'navigator', 'performance',
-  'removeEventListener', 'requestAnimationFrame', 'self', 'setInterval', 'setTimeout',
-  'window',
+  'clearInterval', 'clearTimeout', 'console', 'createImageBitmap', 'devicePixelRatio', 'document',
+  'fetch', 'getComputedStyle', 'history', 'location', 'matchMedia', 'navigator', 'performance',
+  'removeEventListener', 'requestAnimationFrame', 'self', 'sessionStorage', 'setInterval',
+  'setTimeout', 'window',
 ]);
 const node = known([
-  'AbortController', 'Buffer', 'URL', 'clearInterval', 'clearTimeout', 'console', 'fetch',
+  'AbortController', 'Buffer', 'TextEncoder', 'URL', 'clearInterval', 'clearTimeout', 'console', 'fetch',
   'performance', 'process', 'setImmediate', 'setInterval', 'setTimeout', 'structuredClone',
 ]);
 

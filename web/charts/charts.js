@@ -76,16 +76,19 @@ export class TimeChart {
   /**
    * @param options  title, unit, digits, span: the least that the axis covers, inverted: values
    *                 grow downward, isHeading, floor: the axis never begins below,
-   *                 series: [{label, color: a custom property of the page, dash}], bars,
+   *                 series: [{label, color: a custom property of the page, dash, own: its colour
+   *                 is what setOwnColor was given}], bars,
    *                 gaps: false draws lines over missing values, metres: the axis is a distance
    */
   constructor(parent, options) {
     this.options = options;
     this.data = [[], ...options.series.map(() => [])];
     this.values = options.series.map(() => element('b'));
+    this.swatches = options.series.map((series) => element('i', {
+      class: series.dash ? 'swatch dashed' : 'swatch',
+      style: `border-color: var(${series.color})`}));
     const names = options.series.map((series, i) => element('span', {class: 'chart-series'},
-      element('i', {class: series.dash ? 'swatch dashed' : 'swatch',
-        style: `border-color: var(${series.color})`}), `${series.label} `, this.values[i]));
+      this.swatches[i], `${series.label} `, this.values[i]));
     this.when = element('span', {class: 'chart-when'});
     this.place = element('div', {class: 'chart-place'});
     this.root = element('figure', {class: 'chart', 'aria-label': options.title},
@@ -102,6 +105,16 @@ export class TimeChart {
     if (!this.plot) this.#make();
     else this.plot.setData(this.data);
     this.#showValues();
+  }
+
+  /** Sets the colour of the series that are `own`, "#rrggbb". */
+  setOwnColor(color) {
+    if (color === this.ownColor) return;
+    this.ownColor = color;
+    this.options.series.forEach(({own}, i) => {
+      if (own) this.swatches[i].style.borderColor = color;
+    });
+    if (this.plot) this.restyle();
   }
 
   /** Takes the colours of the page again. */
@@ -139,8 +152,9 @@ export class TimeChart {
           metres ? quantity(x, 0, 'm') : missionTime(x, 0)))},
         {...axis, size: 46, space: 24, ...degrees},
       ],
-      series: [{}, ...series.map(({label, color, dash}) => ({
-        label, stroke: themeColor(color), width: 2, dash: dash ? [6, 4] : undefined,
+      series: [{}, ...series.map(({label, color, dash, own}) => ({
+        label, stroke: own && this.ownColor ? this.ownColor : themeColor(color), width: 2,
+        dash: dash ? [6, 4] : undefined,
         spanGaps: this.options.gaps === false,
         points: {show: false},
         paths,

@@ -1,5 +1,6 @@
 // What lies under everything else: the sea floor with its contours, the grid, the op area.
 
+import {drawBackgrounds} from './background.js';
 import {floorContours, depthRange, isFloor} from './contours.js';
 import {gridStep, isNumber, metresText} from './geometry.js';
 import {kFont} from './draw_theme.js';
@@ -69,13 +70,15 @@ function rgbOf(color) {
   return probe.getImageData(0, 0, 1, 1).data;
 }
 
-export function drawGround(ctx, camera, theme, {floor, area, surveys, obstacles, layers}) {
+export function drawGround(ctx, camera, theme,
+                           {floor, area, surveys, obstacles, backgrounds, layers}) {
   ctx.fillStyle = theme.water;
   ctx.fillRect(0, 0, camera.width, camera.height);
   if (layers.contours && floor) {
     floor.draw(ctx, camera, theme);
     drawContours(ctx, camera, theme, floor.contours);
   }
+  if (layers.background) drawBackgrounds(ctx, camera, theme, backgrounds);
   if (layers.grid) drawGrid(ctx, camera, theme);
   if (!layers.area) return;
   drawArea(ctx, camera, theme, area);

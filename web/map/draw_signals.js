@@ -4,18 +4,92 @@ import {causeColor} from '../page/causes.js';
 import {kindColor} from '../page/colors.js';
 import {circleTouchesBox, pulseTriangle} from './geometry.js';
 
-// More pulses than this are drawn paler, the more the paler: else they would hide each other.
-const kCrowd = 60;
-// Edges cost more time than what they enclose: at most this many messages have one, the newest.
-const kMaxEdges = 30;
+/** How pulses are drawn, the first unless a user chooses another. */
+export const kPulseStyles = [
+  ['auto', 'as beams, many as lines, thinned'],
+  ['beams', 'all as beams'],
+  ['lines', 'all as lines'],
+  ['chosen', 'those of the chosen vehicle or link alone'],
+];
 
-export function drawPulses(ctx, camera, theme, pulses) {
-  const crowding = Math.min(1, Math.sqrt(kCrowd / Math.max(1, pulses.length)));
-  let withoutEdge = pulses.reduce((sum, pulse) => sum + (pulse.kind !== 'report'), -kMaxEdges);
+// More beams than this lie over one another and over all else.
+const kMaxBeams = 12;
+// More lines than this in the picture are thinned.
+const kMaxLines = 90;
+// A line is this much fainter than its beam; the more of them, the fainter.
+const kLine = 1.4;
+const kLeastLine = 0.5;
+
+function hashOf(text) {
+  let hash = 2166136261;
+  for (let i = 0; i < text.length; ++i) hash = Math.imul(hash ^ text.charCodeAt(i), 16777619) >>> 0;
+  return hash;
+}
+
+/**
+ * Chooses what is drawn of `pulses`: {beams, lines, chosen}; chosen are those of the chosen vehicle
+ * or link, as lines that stand out, where they are too many for beams. Of too many lines the same
+ * links remain from picture to picture.
+ * @param isSeen  (pulse) -> some of it lies in the picture
+ */
+export function choosePulses(pulses, style, isChosen, isSeen = () => true) {
+  const own = pulses.filter(isChosen);
+  const ownAsBeams = own.length <= kMaxBeams;
+  const isFew = pulses.length <= kMaxBeams;
+  if (style === 'beams' || (style === 'auto' && isFew)) {
+    return {beams: pulses, lines: [], chosen: []};
+  }
+  const [beams, chosen] = ownAsBeams ? [own, []] : [[], own];
+  if (style === 'chosen') return {beams, lines: [], chosen};
+  let lines = pulses.filter((pulse) => !isChosen(pulse));
+  if (style !== 'lines' && lines.length > kMaxLines) {
+    lines = lines.filter(isSeen);
+    if (lines.length > kMaxLines) {
+      lines = lines.map((pulse) => ({pulse, rank: hashOf(String(pulse.label || pulse.id))}))
+        .sort((a, b) => a.rank - b.rank).slice(0, kMaxLines).map(({pulse}) => pulse);
+    }
+  }
+  return {beams, lines, chosen};
+}
+
+/** Draws pulses in a style; all of those for which `isChosen` is true. */
+export function drawPulses(ctx, camera, theme, pulses, {style, isChosen}) {
+  const {beams, lines, chosen} = choosePulses(pulses, style, isChosen,
+      (pulse) => isInPicture(camera, pulse));
+  const crowding = Math.max(kLeastLine, Math.min(1, Math.sqrt(30 / Math.max(1, lines.length))));
+  drawLines(ctx, camera, theme, lines, kLine * crowding, 1);
+  drawBeams(ctx, camera, theme, beams);
+  drawLines(ctx, camera, theme, chosen, 3, 2);
+  ctx.setLineDash([]);
+  ctx.globalAlpha = 1;
+}
+
+function isInPicture(camera, {from, to}) {
+  const [x0, x1] = [camera.sx(from[0]), camera.sx(to[0])];
+  const [y0, y1] = [camera.sy(from[1]), camera.sy(to[1])];
+  return Math.max(x0, x1) >= 0 && Math.min(x0, x1) <= camera.width && Math.max(y0, y1) >= 0
+      && Math.min(y0, y1) <= camera.height;
+}
+
+// Thin lines, the fainter the older; messages are broken.
+function drawLines(ctx, camera, theme, pulses, strength, width) {
+  ctx.lineWidth = width;
+  for (const pulse of pulses) {
+    ctx.strokeStyle = kindColor(pulse.kind, theme.light);
+    ctx.globalAlpha = Math.min(1, strength * pulse.opacity);
+    ctx.setLineDash(pulse.kind === 'report' ? [] : [7, 4]);
+    ctx.beginPath();
+    camera.addSegment(ctx, pulse.from[0], pulse.from[1], pulse.to[0], pulse.to[1]);
+    ctx.stroke();
+  }
+}
+
+function drawBeams(ctx, camera, theme, pulses) {
+  // Of many, each is paler: else they would hide each other.
+  const crowding = Math.min(1, Math.sqrt(kMaxBeams / Math.max(1, pulses.length)));
   ctx.lineJoin = 'bevel';
   ctx.lineWidth = 1.6;
   for (const pulse of pulses) {
-    const edge = pulse.kind !== 'report' && withoutEdge-- <= 0;
     ctx.beginPath();
     if (!addTriangle(ctx, camera, pulse)) continue;
     const opacity = pulse.opacity * crowding;
@@ -24,14 +98,13 @@ export function drawPulses(ctx, camera, theme, pulses) {
     // Each is filled alone: a convex shape is filled far faster than a path of many.
     ctx.fill();
     // A message's edge is broken; a report has none.
-    if (!edge) continue;
+    if (pulse.kind === 'report') continue;
     ctx.strokeStyle = ctx.fillStyle;
     ctx.globalAlpha = Math.min(1, 2 * opacity);
     ctx.setLineDash([7, 4]);
     ctx.stroke();
   }
   ctx.setLineDash([]);
-  ctx.globalAlpha = 1;
 }
 
 // Returns false where nothing of the pulse can be seen.

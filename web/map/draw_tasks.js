@@ -1,57 +1,98 @@
-// What the vehicles are at (waypoints, legs, where they steer for), and how far they send and
-// receive.
+// What the vehicles are to do and are at (waypoints, legs, loiters, regions, where they steer for),
+// and how far they send and receive.
 
 import {vehicleColor} from '../page/colors.js';
 import {finite, isNumber} from './geometry.js';
 import {kFont} from './draw_theme.js';
 import {addCircle} from './draw_signals.js';
 
-/** Returns the task of the setup that a vehicle's helm runs, or null. */
-export function presentTask(vehicle, tasksByVehicle) {
-  const tasks = tasksByVehicle.get(vehicle.name);
-  const name = vehicle.helm?.task;
-  return (name && tasks?.find((task) => task.name === name)) || null;
+// Opacity of what is not active: planned, or done.
+const kDimmed = 0.36;
+const kDimmedChosen = 0.55;
+/** A decision older than this is of a vehicle that decides no longer. */
+const kOldDecision_s = 3;
+
+/**
+ * Returns the names of the tasks and behaviors that a vehicle is at: the task of its helm, and all
+ * that took part in its last decision.
+ */
+export function activeNames(vehicle, t) {
+  const names = new Set();
+  const {helm, decision} = vehicle;
+  if (helm?.task && helm.state !== 'PARK') names.add(helm.task);
+  if (decision && Math.abs(t - decision.t) <= kOldDecision_s && Array.isArray(decision.aims)) {
+    for (const {name} of decision.aims) names.add(name);
+  }
+  return names;
 }
 
 /** Changes when what drawTasks draws has changed. */
-export function tasksKey(vehicles, selected) {
+export function tasksKey(vehicles, selected, t) {
   let key = `${selected}`;
-  for (const {helm} of vehicles) key += helm ? `|${helm.task}:${helm.waypoint}` : '|';
+  for (const vehicle of vehicles) {
+    key += `|${[...activeNames(vehicle, t)].join()}:${vehicle.helm?.waypoint}`;
+  }
   return key;
 }
 
 /**
- * Draws waypoints and legs of the present tasks, the leg that is being sailed broader.
- * `tasksByVehicle`: name to [{name, points, closed, radius_m, marked}], all points being finite.
+ * Draws the plan: waypoints, legs, loiters, regions and stations of all tasks and behaviors, dimmed
+ * before and after they are active; the leg that is being sailed broader.
+ * `planOf`: name to [{name, points, closed, radius_m, marked, area}], all points being finite.
  */
-export function drawTasks(ctx, camera, theme, vehicles, tasksByVehicle, selected) {
-  for (const vehicle of vehicles) {
-    const task = presentTask(vehicle, tasksByVehicle);
-    const points = task?.points ?? [];
-    if (points.length === 0) continue;
-    const chosen = vehicle.name === selected;
-    const color = vehicleColor(vehicle.name, vehicle.color, theme.light);
-    ctx.strokeStyle = color;
-    ctx.fillStyle = color;
-    ctx.globalAlpha = chosen ? 0.9 : 0.45;
-    ctx.lineWidth = chosen ? 1.6 : 1.2;
-    ctx.setLineDash([]);
-    ctx.beginPath();
-    camera.addLine(ctx, points, Boolean(task.closed));
-    ctx.stroke();
-    drawLeg(ctx, camera, task, points, vehicle.helm?.waypoint, chosen);
-    if (task.marked !== false) drawPoints(ctx, camera, points, chosen);
-    if (task.radius_m > 0) {
-      ctx.setLineDash([4, 4]);
-      ctx.beginPath();
-      for (const [x, y] of points.slice(0, 200)) {
-        addCircle(ctx, camera, camera.sx(x), camera.sy(y), task.radius_m / camera.metresPerPixel);
+export function drawTasks(ctx, camera, theme, vehicles, planOf, selected, t) {
+  for (const isActive of [false, true]) {
+    for (const vehicle of vehicles) {
+      const plan = planOf.get(vehicle.name) ?? [];
+      if (plan.length === 0) continue;
+      const active = activeNames(vehicle, t);
+      const chosen = vehicle.name === selected;
+      const color = vehicleColor(vehicle.name, vehicle.color, theme.light);
+      ctx.strokeStyle = color;
+      ctx.fillStyle = color;
+      for (const part of plan) {
+        if (active.has(part.name) === isActive) {
+          drawPart(ctx, camera, part, vehicle.helm, {isActive, chosen});
+        }
       }
-      ctx.stroke();
-      ctx.setLineDash([]);
     }
   }
   ctx.globalAlpha = 1;
+}
+
+function drawPart(ctx, camera, part, helm, {isActive, chosen}) {
+  const dim = chosen ? kDimmedChosen : kDimmed;
+  const opacity = isActive ? 0.9 : dim;
+  const {points} = part;
+  ctx.lineWidth = isActive || chosen ? 1.6 : 1.2;
+  if (part.area.length > 2) {
+    ctx.globalAlpha = isActive ? 0.8 : dim;
+    ctx.setLineDash([9, 4]);
+    ctx.beginPath();
+    camera.addLine(ctx, part.area, true);
+    ctx.stroke();
+    ctx.setLineDash([]);
+  }
+  if (points.length === 0) return;
+  ctx.globalAlpha = opacity;
+  ctx.beginPath();
+  camera.addLine(ctx, points, Boolean(part.closed));
+  ctx.stroke();
+  if (isActive && helm?.task === part.name) {
+    drawLeg(ctx, camera, part, points, helm.waypoint, chosen);
+  }
+  ctx.globalAlpha = opacity;
+  if (part.marked !== false) drawPoints(ctx, camera, points, chosen);
+  if (part.radius_m > 0) {
+    ctx.globalAlpha = opacity;
+    ctx.setLineDash([4, 4]);
+    ctx.beginPath();
+    for (const [x, y] of points.slice(0, 200)) {
+      addCircle(ctx, camera, camera.sx(x), camera.sy(y), part.radius_m / camera.metresPerPixel);
+    }
+    ctx.stroke();
+    ctx.setLineDash([]);
+  }
 }
 
 function drawLeg(ctx, camera, task, points, waypoint, chosen) {
@@ -66,8 +107,8 @@ function drawLeg(ctx, camera, task, points, waypoint, chosen) {
 }
 
 function drawPoints(ctx, camera, points, chosen) {
-  const size = chosen ? 3.5 : 2.5;
-  ctx.globalAlpha = chosen ? 1 : 0.7;
+  // One alone has no leg that leads to it.
+  const size = points.length === 1 ? 5 : chosen ? 3.5 : 2.5;
   ctx.beginPath();
   points.slice(0, 2000).forEach((point) => {
     const [sx, sy] = [camera.sx(point[0]), camera.sy(point[1])];

@@ -1,6 +1,7 @@
 // Puts the map together from its layers: sea floor, pulses, tasks, trails, vehicles, labels.
 
 import {drawDrawings, tidyDrawings} from './draw_drawings.js';
+import {Backgrounds} from './background.js';
 import {FloorPicture, drawGridNumbers, drawGround} from './draw_ground.js';
 import {LabelLayer} from './draw_labels.js';
 import {drawMark, drawMeasure, drawNorth, drawScaleBar} from './draw_overlay.js';
@@ -31,9 +32,11 @@ function placesOf(points) {
   return arrayOr(points).filter((point) => isNumber(point?.[0]) && isNumber(point?.[1]));
 }
 
-function tasksOf(vehicle) {
-  return arrayOr(vehicle?.tasks).filter((task) => typeof task?.name === 'string')
-      .map((task) => ({...task, points: placesOf(task.points)}));
+// All tasks and behaviors of a vehicle that are about a place.
+function planOf(vehicle) {
+  return [...arrayOr(vehicle?.behaviors), ...arrayOr(vehicle?.tasks)]
+      .filter((part) => typeof part?.name === 'string')
+      .map((part) => ({...part, points: placesOf(part.points), area: placesOf(part.area)}));
 }
 
 /** Returns what the setup has to be covered: [{width_m, vehicles: Set}]. */
@@ -59,13 +62,16 @@ export function surveysOf(setup) {
 
 export class MapPainter {
   motion = new Motion();
+  /** What a user has put under the mission. */
+  backgrounds = new Backgrounds();
   #world = null;
   #area = [];
   #surveys = [];
   #obstacles = [];
   #coverage = [];
   #floor = null;
-  #tasksOf = new Map();
+  #planOf = new Map();
+  #kept = [];
   #version = 0;   // Of the setup and the choice of layers.
   #ground = new MapLayer({opaque: true});
   #pulses = new MapLayer();
@@ -89,8 +95,12 @@ export class MapPainter {
       {id: String(id), polygon: placesOf(polygon)}));
     this.#coverage = coverageOf(setup);
     this.#floor = setup?.floor ? new FloorPicture(setup.floor) : null;
-    this.#tasksOf = new Map(
-        arrayOr(setup?.vehicles).map((vehicle) => [vehicle?.name, tasksOf(vehicle)]));
+    this.#planOf = new Map(
+        arrayOr(setup?.vehicles).map((vehicle) => [vehicle?.name, planOf(vehicle)]));
+    // What is to be seen beside a label: obstacles and loiters.
+    this.#kept = [...this.#obstacles.map(({polygon}) => polygon),
+      ...[...this.#planOf.values()].flat().filter(({closed}) => closed).map(({points}) => points)]
+        .filter((points) => points.length > 2 && points.length < 1000).slice(0, 500);
     this.#trailStamp.version = -1;
     this.#swathStamp.version = -1;
     this.changed();
@@ -100,7 +110,7 @@ export class MapPainter {
   changed() { ++this.#version; }
 
   /**
-   * `view` is {camera, ratio, theme, layers, selected, hovered, mark, ends}; `shown` comes from
+   * `view` is {camera, ratio, theme, layers, pulseStyle, selected, link, hovered, mark, ends}; `shown` comes from
    * World.at. The transform of `ctx` is that of CSS pixels.
    */
   paint(ctx, view, shown, nowMs) {
@@ -109,14 +119,14 @@ export class MapPainter {
     this.motion.frame(nowMs);
     ctx.fillStyle = theme.water;
     ctx.fillRect(0, 0, camera.width, camera.height);
-    this.#show(this.#ground, ctx, view, '', nowMs, (to, wide) =>
+    this.#show(this.#ground, ctx, view, String(this.backgrounds.version), nowMs, (to, wide) =>
       drawGround(to, wide, theme,
                  {floor: this.#floor, area: this.#area, surveys: this.#surveys,
-                  obstacles: this.#obstacles, layers}));
+                  obstacles: this.#obstacles, backgrounds: this.backgrounds.all, layers}));
     if (this.#world) {
       if (layers.area && this.#coverage.length > 0) this.#paintSwaths(ctx, view, shown, nowMs);
       if (layers.pulses) this.#paintPulses(ctx, view, t, nowMs);
-      if (layers.tasks) this.#paintTasks(ctx, view, vehicles, nowMs);
+      if (layers.tasks) this.#paintTasks(ctx, view, shown, nowMs);
       if (layers.trails) this.#paintTrails(ctx, view, shown, nowMs);
       if (layers.drawings) {
         drawDrawings(ctx, camera, theme, this.#drawingsOf(this.#world.frame));
@@ -132,7 +142,9 @@ export class MapPainter {
       if (layers.reported) drawReported(ctx, camera, theme, vehicles, t);
       drawBelieved(ctx, camera, theme, vehicles);
       drawVehicles(ctx, camera, theme, vehicles, view, view.ratio);
-      if (layers.names) this.#labels.draw(ctx, camera, theme, vehicles, t, view, nowMs);
+      if (layers.names) {
+        this.#labels.draw(ctx, camera, theme, vehicles, t, view, nowMs, this.#kept);
+      }
     }
     if (layers.grid) drawGridNumbers(ctx, camera, theme);
     if (view.mark) drawMark(ctx, camera, theme, view.mark);
@@ -159,24 +171,39 @@ export class MapPainter {
     // Rings show the same, and how it travels.
     const asRings = view.layers.rings ? acousticKinds(this.#world.rules) : [];
     const pulses = this.#world.pulses(t).filter(({kind}) => !asRings.includes(kind));
+    const {pulseStyle: style} = view;
+    const choice = {style, isChosen: this.#chosenPulse(view)};
     if (pulses.length <= kFewPulses) {
-      drawPulses(ctx, view.camera, view.theme, pulses);
+      drawPulses(ctx, view.camera, view.theme, pulses, choice);
       return;
     }
     const wait_ms = Math.max(kPulses_ms, kPulsesFrames * this.motion.frame_ms);
     if (this.#pulses.age(nowMs) > wait_ms) ++this.#pulsesKey;
-    this.#show(this.#pulses, ctx, view, this.#pulsesKey, nowMs, (to, wide) =>
-      drawPulses(to, wide, view.theme, pulses));
+    const key = `${this.#pulsesKey} ${style} ${view.selected} ${view.link?.from} ${view.link?.to}`;
+    this.#show(this.#pulses, ctx, view, key, nowMs, (to, wide) =>
+      drawPulses(to, wide, view.theme, pulses, choice));
   }
 
-  #paintTasks(ctx, view, vehicles, nowMs) {
+  // A pulse has its sender and its receiver in its label: ALPHA2BRAVO, ALPHA2BRAVO_MSG.
+  #chosenPulse({selected, link}) {
+    const upper = (name) => String(name).toUpperCase();
+    const labels = link ? [`${upper(link.from)}2${upper(link.to)}`] : [];
+    const own = selected ? upper(selected) : null;
+    return ({label}) => {
+      const plain = String(label ?? '').replace(/_MSG$/, '');
+      return labels.includes(plain)
+          || (own !== null && (plain.startsWith(`${own}2`) || plain.endsWith(`2${own}`)));
+    };
+  }
+
+  #paintTasks(ctx, view, {t, vehicles}, nowMs) {
     const {selected} = view;
     if (this.#tasks.age(nowMs) > kTasks_ms || this.#tasksFor !== selected) {
-      this.#tasksKey = tasksKey(vehicles, selected);
+      this.#tasksKey = tasksKey(vehicles, selected, t);
       this.#tasksFor = selected;
     }
     this.#show(this.#tasks, ctx, view, this.#tasksKey, nowMs, (to, wide) =>
-      drawTasks(to, wide, view.theme, vehicles, this.#tasksOf, selected));
+      drawTasks(to, wide, view.theme, vehicles, this.#planOf, selected, t));
   }
 
   // A picture of trails is drawn again where they were changed, where time has gone back, and when

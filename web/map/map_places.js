@@ -3,37 +3,84 @@
 import {isNumber} from './geometry.js';
 
 const kLeastExtent_m = 60;
+// A vehicle that went no farther than this from where it began has stayed there, and drifts.
+const kMoved_m = 25;
 
-/** Returns {left, right, bottom, top} around vehicles, starts, tasks and op area, or null. */
-export function placesToFit(setup, vehicles) {
-  const box = {left: Infinity, right: -Infinity, bottom: Infinity, top: -Infinity};
-  const add = (x, y, radius = 0) => {
+const listOf = (value) => (Array.isArray(value) ? value : []);
+
+class Box {
+  left = Infinity;
+  right = -Infinity;
+  bottom = Infinity;
+  top = -Infinity;
+
+  add(x, y, radius = 0) {
     if (!isNumber(x) || !isNumber(y) || !isNumber(radius)) return;
-    box.left = Math.min(box.left, x - radius);
-    box.right = Math.max(box.right, x + radius);
-    box.bottom = Math.min(box.bottom, y - radius);
-    box.top = Math.max(box.top, y + radius);
-  };
-  const addPoints = (points, radius) => {
-    if (!Array.isArray(points)) return;
-    for (const point of points) if (Array.isArray(point)) add(point[0], point[1], radius);
-  };
-  for (const vehicle of vehicles) add(vehicle.x, vehicle.y);
-  for (const vehicle of Array.isArray(setup?.vehicles) ? setup.vehicles : []) {
-    addPoints([vehicle?.start]);
-    for (const task of Array.isArray(vehicle?.tasks) ? vehicle.tasks : []) {
-      addPoints(task?.points, Math.max(0, task?.radius_m ?? 0));
-      addPoints(task?.area);
+    this.left = Math.min(this.left, x - radius);
+    this.right = Math.max(this.right, x + radius);
+    this.bottom = Math.min(this.bottom, y - radius);
+    this.top = Math.max(this.top, y + radius);
+  }
+
+  addPoints(points, radius) {
+    for (const point of listOf(points)) if (Array.isArray(point)) this.add(point[0], point[1], radius);
+  }
+
+  get isEmpty() { return !(this.left <= this.right); }
+  get extent_m() { return Math.max(this.right - this.left, this.top - this.bottom); }
+
+  /** True where (x, y) lies at most `margin` beside it. */
+  isNear(x, y, margin) {
+    return x >= this.left - margin && x <= this.right + margin && y >= this.bottom - margin
+        && y <= this.top + margin;
+  }
+}
+
+function hasPlan(vehicle) {
+  return [...listOf(vehicle?.tasks), ...listOf(vehicle?.behaviors)].some((part) =>
+    listOf(part?.points).length > 0 || listOf(part?.area).length > 0);
+}
+
+/**
+ * Returns {left, right, bottom, top} around what is planned and what has moved, or null. A vehicle
+ * without a plan that stays where it began counts only where it lies no farther beside the others
+ * than they reach: a shore station some kilometres away does not make all else small.
+ * @param setup  of the mission
+ * @param vehicles  of the frame
+ * @param {(name: string) => any} trailOf  returns x, y and count: where a vehicle was; or null
+ */
+export function placesToFit(setup, vehicles, trailOf = () => null) {
+  const box = new Box();
+  box.addPoints(setup?.op_area);
+  for (const obstacle of listOf(setup?.obstacles)) box.addPoints(obstacle?.polygon);
+  const still = [];
+  const known = new Map(listOf(setup?.vehicles).map((vehicle) => [vehicle?.name, vehicle]));
+  const shown = new Map(vehicles.map((vehicle) => [vehicle.name, vehicle]));
+  for (const name of new Set([...known.keys(), ...shown.keys()])) {
+    const [vehicle, now, trail] = [known.get(name), shown.get(name), trailOf(name)];
+    const own = new Box();
+    own.addPoints([vehicle?.start]);
+    own.add(now?.x, now?.y);
+    for (let i = 0; i < (trail?.count ?? 0); ++i) own.add(trail.x[i], trail.y[i]);
+    if (!hasPlan(vehicle) && !(own.extent_m > kMoved_m)) {
+      if (!own.isEmpty) still.push(own);
+      continue;
     }
+    for (const part of [...listOf(vehicle?.tasks), ...listOf(vehicle?.behaviors)]) {
+      box.addPoints(part?.points, Math.max(0, part?.radius_m ?? 0));
+      box.addPoints(part?.area);
+    }
+    box.add(own.left, own.bottom);
+    box.add(own.right, own.top);
   }
-  addPoints(setup?.op_area);
-  for (const obstacle of Array.isArray(setup?.obstacles) ? setup.obstacles : []) {
-    addPoints(obstacle?.polygon);
+  const margin = box.isEmpty ? Infinity : Math.max(kLeastExtent_m, box.extent_m);
+  const near = still.filter(({left, bottom}) => box.isEmpty || box.isNear(left, bottom, margin));
+  for (const own of near) {
+    box.add(own.left, own.bottom);
+    box.add(own.right, own.top);
   }
-  if (!(box.left <= box.right)) return null;
-  const extent_m = Math.max(box.right - box.left, box.top - box.bottom);
-  const missing_m = Math.max(0, kLeastExtent_m - extent_m);
-  box.left -= missing_m / 2;
-  box.right += missing_m / 2;
-  return box;
+  if (box.isEmpty) return null;
+  const missing_m = Math.max(0, kLeastExtent_m - box.extent_m);
+  const {left, right, bottom, top} = box;
+  return {left: left - missing_m / 2, right: right + missing_m / 2, bottom, top};
 }

@@ -5,6 +5,7 @@
 //   requestAnimationFrame(function show(now) { map.draw(now); requestAnimationFrame(show); });
 
 import {drawTitle} from './draw_overlay.js';
+import {kPulseStyles} from './draw_signals.js';
 import {readTheme} from './draw_theme.js';
 import {drawnLength} from './draw_vehicles.js';
 import {LocalFrame, isNumber} from './geometry.js';
@@ -15,7 +16,7 @@ import {placesToFit} from './map_places.js';
 
 const kLayers = {
   trails: true, reported: true, tasks: true, ranges: false, pulses: true, rings: true,
-  contours: true, area: true, grid: true, names: true, drawings: true,
+  contours: true, area: true, grid: true, names: true, drawings: true, background: true,
 };
 const kHit = 16;
 const kMaxPixels = 16e6;
@@ -33,6 +34,8 @@ export class MapView {
   #layers = {...kLayers};
   #follow = null;
   #selected = null;
+  #link = null;
+  #pulseStyle = kPulseStyles[0][0];
   #hovered = null;
   #mark = null;
   #measuring = false;
@@ -41,6 +44,7 @@ export class MapView {
   #open = false;
   #shown = {t: 0, vehicles: []};
   #wantFit = true;    // Until a view was asked for, the whole mission is shown.
+  #fitted = null;     // The view after the last fit().
   #painter = new MapPainter();
   /** Title and time are drawn, as in a picture that is saved. */
   titled = false;
@@ -80,10 +84,11 @@ export class MapView {
     this.#shown = {t: 0, vehicles: []};
   }
 
-  /** {cx, cy, metresPerPixel, follow, layers}; setting takes what it is given of these. */
+  /** {cx, cy, metresPerPixel, follow, layers, pulseStyle}; setting takes what it is given of these. */
   get view() {
     const {cx, cy, metresPerPixel} = this.#camera;
-    return {cx, cy, metresPerPixel, follow: this.#follow, layers: {...this.#layers}};
+    return {cx, cy, metresPerPixel, follow: this.#follow, layers: {...this.#layers},
+      pulseStyle: this.#pulseStyle};
   }
 
   /** @param {any} view  as of the getter; what it lacks stays */
@@ -92,6 +97,10 @@ export class MapView {
       for (const name of Object.keys(kLayers)) {
         if (name in view.layers) this.#layers[name] = Boolean(view.layers[name]);
       }
+      this.#painter.changed();
+    }
+    if (kPulseStyles.some(([style]) => style === view?.pulseStyle)) {
+      this.#pulseStyle = view.pulseStyle;
       this.#painter.changed();
     }
     if (view && 'follow' in view) this.#follow = view.follow || null;
@@ -109,14 +118,28 @@ export class MapView {
 
   select(name) { this.#selected = name || null; }
 
+  /** The link whose pulses stand out, {from, to}, or null. */
+  setLink(link) { this.#link = link; }
+
   /** Shows a place that the user has chosen, {x, y, label}, or none (null). */
   setMark(mark) { this.#mark = isNumber(mark?.x) && isNumber(mark?.y) ? mark : null; }
+
+  /** Puts files under the mission; returns texts for the user. */
+  async addBackgrounds(files) {
+    const {left, right, bottom, top} = this.#camera;
+    return this.#painter.backgrounds.take([...files], this.#frame, {left, right, bottom, top});
+  }
+
+  removeBackgrounds() { this.#painter.backgrounds.clear(); }
+  get backgrounds() { return this.#painter.backgrounds.all.map(({name}) => name); }
 
   /** Shows the whole mission. */
   fit() {
     this.#follow = null;
-    const box = placesToFit(this.#setup, this.#shown.vehicles);
+    const box = placesToFit(this.#setup, this.#shown.vehicles,
+        (name) => this.#world?.trail(name, Infinity));
     if (box) this.#camera.fit(box.left, box.bottom, box.right, box.top);
+    this.#fitted = {...this.view, trails: this.#world?.trailsVersion};
     this.#tellView();
   }
 
@@ -165,6 +188,8 @@ export class MapView {
     if (this.#wantFit && this.#world?.frame) {
       this.fit();
       this.#wantFit = false;
+    } else if (this.#wasFittedWithoutTrails()) {
+      this.fit();
     }
     const followed = this.#follow && this.#shown.vehicles.find((v) => v.name === this.#follow);
     if (followed && followed.x !== null) this.#camera.set(followed.x, followed.y);
@@ -175,6 +200,15 @@ export class MapView {
 
   #paintTitle(ctx) {
     drawTitle(ctx, this.#camera, this.#theme, this.#setup?.mission, this.#shown.t);
+  }
+
+  // Trails came since, and the user has left the view as it was.
+  #wasFittedWithoutTrails() {
+    const fitted = this.#fitted;
+    if (!fitted || fitted.trails !== 0 || this.#world?.trailsVersion !== 1) return false;
+    const {cx, cy, metresPerPixel, follow} = this.view;
+    return cx === fitted.cx && cy === fitted.cy && metresPerPixel === fitted.metresPerPixel
+        && follow === null;
   }
 
   /** Returns a PNG of what the map shows, with scale bar, title and time. */
@@ -198,7 +232,7 @@ export class MapView {
     this.#theme ??= readTheme();
     this.#painter.paint(ctx, {
       camera: this.#camera, ratio: this.#ratio, theme: this.#theme, layers: this.#layers,
-      selected: this.#selected, hovered: this.#hovered, mark: this.#mark, ends: this.#ends,
+      pulseStyle: this.#pulseStyle, link: this.#link, selected: this.#selected, hovered: this.#hovered, mark: this.#mark, ends: this.#ends,
     }, this.#shown, nowMs);
   }
 

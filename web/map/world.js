@@ -14,7 +14,7 @@ import {clamp, finite, isNumber, mix, mixDegrees} from './geometry.js';
 import {Trail} from './trail.js';
 
 const kMaxVehicles = 1000;
-const kMaxPulses = 1000;
+const kMaxPulses = 4000;
 const kMaxPackets = 400;
 const kLeastTrailStep_s = 0.2;
 // A gap of this much between frames is a break: the next frame is shown at once.

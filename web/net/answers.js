@@ -15,6 +15,18 @@ function named(list) {
   return [...byName.values()];
 }
 
+// What a reporter writes where no helm has ever been.
+const kNeverAHelm = 'NOHELM-EVER';
+
+/** Returns the vehicles of a frame, without the complaint of those that are to have no helm. */
+export function withoutMissingHelms(vehicles, setup) {
+  const without = new Set(setup.vehicles.filter((each) => each.has_helm === false)
+    .map(({name}) => name));
+  if (without.size === 0) return vehicles;
+  return vehicles.map((vehicle) => (
+    vehicle.mode === kNeverAHelm && without.has(vehicle.name) ? {...vehicle, mode: ''} : vehicle));
+}
+
 /** A frame with a time, vehicles that have names, a clock and commands; or null. */
 export function tidyFrame(frame) {
   if (!isObject(frame) || !Number.isFinite(frame.t) || !Array.isArray(frame.vehicles)) return null;

@@ -14,6 +14,7 @@ const kFirstBackoff_ms = 250;
 const kLongestBackoff_ms = 2000;
 const kSetupTimeout_ms = 2000;
 const kRequestEvery_ms = 33;
+const kStreamEnded = 'the stream ended';
 const kBeginsAgain_s = 1;       // A time earlier by more than this is of another mission.
 
 /** Is `frame` of another mission than `before`? Only /api/setup knows for sure. */
@@ -77,7 +78,7 @@ export class LiveSource {
         if (this.stream === stream) this.#take(text);
       },
       onFailure: () => {
-        if (this.stream === stream) this.#lose('the stream ended');
+        if (this.stream === stream) this.#lose(kStreamEnded);
       },
     }, this.failures >= 2).close;
   }
@@ -93,11 +94,9 @@ export class LiveSource {
     if (!frame) return;
     const another = mayBeAnotherMission(this.frame, frame);
     this.frame = frame;
-    if (this.state !== 'live') {
-      this.failures = 0;
-      this.backoff_ms = kFirstBackoff_ms;
-      this.#enter('live', '');
-    }
+    this.failures = 0;
+    this.backoff_ms = kFirstBackoff_ms;
+    if (this.state !== 'live') this.#enter('live', '');
     this.listener.onFrame(frame);
     if (another) this.#askSetup().catch(() => {});
   }
@@ -111,9 +110,15 @@ export class LiveSource {
     return true;
   }
 
+  // A stream that ends may begin again at once: the viewer has turned to another mission, or to the
+  // recording of this one. It is lost when that fails.
   #lose(reason) {
     this.#closeStream();
     this.failures += 1;
+    if (reason === kStreamEnded && this.failures === 1 && this.state === 'live') {
+      this.#reconnect();
+      return;
+    }
     this.#enter('lost', reason);
     this.#retryLater();
   }
@@ -151,7 +156,7 @@ export class LiveSource {
 /** The speeds of a recorded mission, mission seconds per second. */
 export const kSpeeds = [0.25, 0.5, 1, 2, 4, 8, 16, 32, 64];
 
-const kGrave = ['collision', 'aground', 'all_stop'];
+const kGrave = ['collision', 'aground', 'all_stop', 'missed'];
 const kNearer_s = 0.01;
 
 export const isGrave = (event) => kGrave.includes(event.kind);
@@ -290,6 +295,8 @@ export class RecordedSource {
       if (frame) {
         this.frame = frame;
         this.listener.onFrame(frame);
+        // The viewer has turned to a mission that runs.
+        if (frame.clock.state && frame.clock.state !== 'recorded') await this.askForAll();
       }
     } catch (error) {
       this.ready_ms = this.now() + this.backoff_ms;

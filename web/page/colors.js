@@ -78,16 +78,11 @@ function cached(key, make) {
   return value;
 }
 
-function hashOf(name) {
-  let hash = 2166136261;
-  for (const letter of name) hash = Math.imul(hash ^ letter.codePointAt(0), 16777619) >>> 0;
-  return hash;
-}
-
-// A colour that more vehicles than this ask for, such as the default, distinguishes none of them.
-const kMaxSharing = 3;
 // Squared distance in RGB, each 0 to 1, below which two colours are taken for one.
 const kAlike = 0.13;
+// This many of the row are tried before colours may be alike.
+const kRow = 100;
+const kMaxChosen = 2000;
 const kGoldenRatio = 0.6180339887498949;
 
 /** Returns 0xrrggbb no. `index` of a row in which neighbours differ: the palette, then other hues. */
@@ -108,32 +103,33 @@ function areAlike(a, b) {
 }
 
 /**
- * Chooses colours as `shoal plot` does: one that up to three vehicles ask for is theirs; those that
- * more ask for, and unknown ones, are replaced by colours that differ.
- * @param vehicles  [{name, color}] @returns Map of name to 0xrrggbb, of those that are replaced
+ * Chooses a colour for each: the one that the viewer has chosen for it (`shown_color`, the same as
+ * in plots); then its own, where no other has one like it; then one of the row.
+ * @param vehicles  [{name, color, shown_color}] @returns Map of name to 0xrrggbb
  */
 export function chosenColors(vehicles) {
-  const sharing = new Map();
-  for (const {color} of vehicles) {
-    const own = parseColor(color);
-    if (own !== null) sharing.set(own, (sharing.get(own) ?? 0) + 1);
-  }
-  const taken = [...sharing].filter(([, count]) => count <= kMaxSharing).map(([rgb]) => rgb);
   const chosen = new Map();
-  let next = 0;
+  for (const {name, shown_color: shown} of vehicles) {
+    const rgb = parseColor(shown);
+    if (rgb !== null) chosen.set(name, rgb);
+  }
   for (const {name, color} of vehicles) {
-    if ((sharing.get(parseColor(color)) ?? Infinity) <= kMaxSharing) continue;
-    while (next < kVehicleColors.length && taken.some((rgb) => areAlike(rgb, rowColor(next)))) {
-      ++next;
-    }
-    chosen.set(name, rowColor(next++));
+    if (!chosen.has(name)) chosen.set(name, freeColor(color, [...chosen.values()]));
   }
   return chosen;
 }
 
+function freeColor(color, taken) {
+  const isFree = (rgb) => !taken.some((other) => areAlike(rgb, other));
+  const own = parseColor(color);
+  if (own !== null && isFree(own)) return own;
+  for (let index = 0; index < kRow; ++index) if (isFree(rowColor(index))) return rowColor(index);
+  return rowColor(kRow + taken.length);
+}
+
 let chosenOfMission = new Map();
 
-/** Sets the vehicles of the mission, among which colours are chosen. */
+/** Sets the vehicles of the mission; each has its colour from now on. */
 export function setVehicles(vehicles) {
   chosenOfMission = chosenColors(Array.isArray(vehicles) ? vehicles : []);
   cache.clear();
@@ -144,15 +140,17 @@ function paletteColor(key, onLight) {
 }
 
 /**
- * Returns #rrggbb: the colour chosen for a vehicle of the mission, or its own, made readable; for
- * others without a colour one of the palette by the name.
+ * Returns #rrggbb: the colour chosen for a vehicle of the mission, made readable. One that came
+ * later gets its own, or another where a vehicle has one like it, and keeps it.
  */
 export function vehicleColor(name, color, onLight = isLightTheme()) {
-  return cached(`v ${name} ${color} ${onLight}`, () => {
-    const own = chosenOfMission.get(name) ?? parseColor(color);
-    if (own !== null) return readable(own, onLight);
-    const key = kVehicleColors[hashOf(String(name ?? '').slice(0, 64)) % kVehicleColors.length];
-    return readable(parseColor(palette[key]), onLight);
+  return cached(`v ${name} ${onLight}`, () => {
+    let rgb = chosenOfMission.get(name);
+    if (rgb === undefined) {
+      rgb = freeColor(color, [...chosenOfMission.values()]);
+      if (chosenOfMission.size < kMaxChosen) chosenOfMission.set(name, rgb);
+    }
+    return readable(rgb, onLight);
   });
 }
 

@@ -32,7 +32,7 @@ export const kKeys = [
     actions: {'<': 'slower', '>': 'faster'}},
   {group: 'Recorded missions', shown: '[  ]', text: 'previous, next event',
     actions: {'[': 'previousEvent', ']': 'nextEvent'}},
-  {group: 'Recorded missions', shown: '{  }', text: 'previous, next collision, grounding or all-stop',
+  {group: 'Recorded missions', shown: '{  }', text: 'previous, next collision, grounding, all-stop or expectation missed',
     actions: {'{': 'previousGrave', '}': 'nextGrave'}},
   {group: 'Commands, where allowed', shown: 'space', text: 'pause or resume the mission',
     actions: {}},

@@ -39,10 +39,12 @@ function escape(page) {
   const help = helpSheet();
   if (help.open) help.close();
   else if (page.top.layers.open) page.top.closeLayers();
+  else if (page.verdict.isOpen) page.verdict.close();
   else if (page.commands?.aimed) page.commands.aim(null);
   else if (page.map.measuring) measure(page);
   else if (page.link && page.tabs.current === 'comms') page.openLink(null, null);
-  else page.select(null);
+  else if (page.selected) page.select(null);
+  else document.getElementById('notes').hidden = true;
 }
 
 function showHelp() {

@@ -38,13 +38,13 @@ export class Timeline {
     this.now = element('output', {id: 'timeline-time', for: 'timeline-position'});
     root.replaceChildren(
       element('div', {class: 'buttons'},
-        button('previous-grave', '⊗◀', 'Previous collision, grounding or all-stop ({)',
+        button('previous-grave', '⊗◀', 'Previous trouble: collision, grounding, all-stop, expectation missed ({)',
           () => this.jump(-1, true)),
         button('previous-event', '|◀', 'Previous event ([)', () => this.jump(-1, false)),
         button('step-back', '‹', 'One step back (,)', () => source.step(-1)), this.playButton,
         button('step-on', '›', 'One step on (.)', () => source.step(1)),
         button('next-event', '▶|', 'Next event (])', () => this.jump(1, false)),
-        button('next-grave', '▶⊗', 'Next collision, grounding or all-stop (})', () => this.jump(1, true)),
+        button('next-grave', '▶⊗', 'Next trouble: collision, grounding, all-stop, expectation missed (})', () => this.jump(1, true)),
         this.speed),
       element('div', {class: 'track'}, this.marks, this.range,
         element('div', {class: 'ends'}, element('span', {}, missionTime(begin_s, 0)),

@@ -1,6 +1,7 @@
 // The line above the map: mission, time, state of the clock, connection; and the layers' menu.
 
 import {element, setAttribute, setText} from './dom.js';
+import {kPulseStyles} from '../map/draw_signals.js';
 import {clip, missionTime, quantity} from './text.js';
 
 const kStates = {
@@ -22,6 +23,7 @@ export const kLayers = [
   ['grid', 'Grid'],
   ['names', 'Names, modes, depths'],
   ['drawings', 'Drawings of programs'],
+  ['background', 'Background: files that you add'],
 ];
 
 const kNumKeys = 10;
@@ -51,7 +53,7 @@ export function bannerWords(clock, connection, reason) {
         : `The mission starts; awaited: ${clip(awaited.slice(0, 5).join(', '), 200)}${more}.`;
     }
     case 'paused': return 'Paused.';
-    case 'ended': return 'The mission has ended; this is how it ended.';
+    case 'ended': return '';  // The verdict is shown.
     case 'silent': return 'The launcher has been silent for three seconds: is it stopped?';
     case 'lost': return 'The launcher has gone without an end; this is the last that was seen.';
     default: return '';
@@ -61,7 +63,7 @@ export function bannerWords(clock, connection, reason) {
 const kConnections = {connecting: '… connecting', live: '● live', lost: '⚠ connection lost'};
 
 export class TopBar {
-  constructor(onLayer) {
+  constructor(onLayer, onPulseStyle, onFiles) {
     const find = (id) => document.getElementById(id);
     this.mission = find('mission');
     this.clock = find('clock-time');
@@ -77,6 +79,17 @@ export class TopBar {
       const key = i < kNumKeys ? element('kbd', {}, String((i + 1) % kNumKeys)) : null;
       return element('label', {}, box, key, ` ${label}`);
     });
+    this.pulseStyle = element('select', {id: 'pulse-style', 'aria-label': 'How pulses are drawn',
+      onchange: () => onPulseStyle(this.pulseStyle.value)},
+    kPulseStyles.map(([style, label]) => element('option', {value: style}, label)));
+    const place = kLayers.findIndex(([name]) => name === 'pulses') + 1;
+    rows.splice(place, 0, element('div', {class: 'choice'}, this.pulseStyle));
+    this.file = element('input', {type: 'file', id: 'background-file', multiple: true,
+      accept: '.geojson,.json,.tif,.tiff,.png,.jpg,.jpeg,.webp,.pgw,.jgw,.wld', 'aria-label': 'Add a background',
+      onchange: () => onFiles(this.file.files)});
+    this.remove = element('button', {type: 'button', id: 'background-remove', hidden: true,
+      onclick: () => onFiles(null)}, 'Remove');
+    rows.push(element('div', {class: 'choice'}, this.file, this.remove));
     this.layers.querySelector('fieldset').replaceChildren(...rows);
     document.addEventListener('pointerdown', (event) => {
       if (!this.layers.contains(/** @type {Node} */ (event.target))) this.layers.open = false;
@@ -89,12 +102,7 @@ export class TopBar {
     const file = setup.file ? `${setup.file}, seed ${setup.seed}` : '';
     setAttribute(this.mission, 'title', clip(`${file} shoal ${setup.version ?? ''}`.trim()));
     document.title = `${clip(setup.mission || 'shoal', 60)} – shoal viewer`;
-    const notes = document.getElementById('notes');
-    const texts = Array.isArray(setup.notes) ? setup.notes.slice(0, 10) : [];
-    notes.hidden = texts.length === 0;
-    const close = element('button', {type: 'button', class: 'close',
-      'aria-label': 'Close the notes', onclick: () => { notes.hidden = true; }}, '✕');
-    notes.replaceChildren(...texts.map((text) => element('li', {}, clip(text, 500))), close);
+    this.note(Array.isArray(setup.notes) ? setup.notes.slice(0, 10) : []);
     this.recorded = setup.mode === 'recorded';
     this.length_s = this.recorded ? setup.end_s : setup.duration_s;
   }
@@ -105,8 +113,33 @@ export class TopBar {
     this.layers.querySelector('summary').focus();
   }
 
+  /** @param names  of the files that lie under the mission */
+  showBackgrounds(names) {
+    this.remove.hidden = names.length === 0;
+    setAttribute(this.remove, 'title', clip(names.join(', '), 300));
+    if (names.length === 0) this.file.value = '';
+  }
+
+  /** Shows texts beside the map, until they are closed. */
+  note(texts) {
+    const notes = document.getElementById('notes');
+    notes.hidden = texts.length === 0;
+    const close = element('button', {type: 'button', class: 'close',
+      'aria-label': 'Close the notes', onclick: () => { notes.hidden = true; }}, '✕');
+    notes.replaceChildren(...texts.map((text) => element('li', {}, clip(text, 500))), close);
+  }
+
+  showPulseStyle(style) {
+    this.pulseStyle.value = style;
+  }
+
   showLayers(layers) {
     for (const [name, box] of this.boxes) box.checked = Boolean(layers[name]);
+  }
+
+  /** The result of the mission that has ended: PASS or FAIL; null: not known. */
+  showResult(result) {
+    this.result = result;
   }
 
   /** How much of a long log has been read, 0 to 1; its begin is shown meanwhile. */
@@ -120,8 +153,10 @@ export class TopBar {
   frame(t, clock, recorded) {
     const of = this.length_s > 0 ? ` / ${missionTime(this.length_s, 0)}` : '';
     setText(this.clock, missionTime(t) + of);
+    const ended = this.result && (recorded || clock?.state === 'ended')
+      ? `■ ended: ${clip(this.result, 20)}` : '';
     const text = recorded
-      ? `recorded, ${recorded.playing ? `▶ ${recorded.speed} ×` : '❚❚ paused'}` : clockWords(clock);
+      ? `${ended && `${ended}; `}recorded, ${recorded.playing ? `▶ ${recorded.speed} ×` : '❚❚ paused'}` : ended || clockWords(clock);
     setText(this.state, text);
     setAttribute(this.state, 'data-state', clip(clock?.state ?? '', 20));
   }

@@ -3,6 +3,7 @@
 //   #x=12&y=-150&mpp=0.5&follow=alpha&select=alpha&layers=trails,names&tab=comms&t=93.5&theme=light
 
 import {readPlots, writePlots} from '../charts/field_series.js';
+import {kPulseStyles} from '../map/draw_signals.js';
 
 const kMaxName = 64;
 const kMaxPosition_m = 1e7;
@@ -43,6 +44,7 @@ export function readHash(hash, layerNames) {
     plots: query.has('plots') ? readPlots(query.get('plots')) : null,
     t: number('t', -1e12, 1e12),
     theme: oneOf('theme', kThemes),
+    pulses: oneOf('pulses', kPulseStyles.map(([style]) => style)),
   };
 }
 
@@ -69,5 +71,6 @@ export function writeHash(state) {
   put('plots', writePlots(state.plots ?? []));
   put('t', rounded(state.t, 2));
   put('theme', state.theme);
+  put('pulses', state.pulses);
   return `#${query.toString().replaceAll('%2C', ',')}`;
 }

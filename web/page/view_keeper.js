@@ -1,6 +1,7 @@
 // Keeps the view in the page's address, and takes it from there.
 
 import {writePlots} from '../charts/field_series.js';
+import {kPulseStyles} from '../map/draw_signals.js';
 import {kLayers} from './top_bar.js';
 import {readHash, writeHash} from './url_state.js';
 
@@ -45,6 +46,8 @@ export class ViewKeeper {
     }
     if (state.layers) page.map.view = {layers: state.layers};
     page.top.showLayers(page.map.view.layers);
+    if (state.pulses) page.map.view = {pulseStyle: state.pulses};
+    page.top.showPulseStyle(page.map.view.pulseStyle);
     this.#place(state);
     if (page.isRecorded && state.t !== null) page.source.seek(state.t);
     this.hash = location.hash;
@@ -79,13 +82,14 @@ export class ViewKeeper {
 
   #state() {
     const {page} = this;
-    const {cx, cy, metresPerPixel, follow, layers} = page.map.view;
+    const {cx, cy, metresPerPixel, follow, layers, pulseStyle} = page.map.view;
     const sameLayers = this.layerNames.every((name) => layers[name] === this.firstLayers[name]);
     return {
       x: cx, y: cy, metresPerPixel, follow, select: page.selected, from: page.link?.from,
       to: page.link?.to, layers: sameLayers ? null : layers, tab: page.tabs.current,
       plots: page.panels.data.plots,
       t: page.isRecorded ? page.source.t : null, theme: document.documentElement.className,
+      pulses: pulseStyle === kPulseStyles[0][0] ? null : pulseStyle,
     };
   }
 }

@@ -42,7 +42,7 @@ export class DecisionTable {
     this.root = element('section', {id: 'decision', hidden: true},
       element('h4', {}, 'Why it steers so'), this.summary,
       element('table', {class: 'plain'}, element('thead', {}, element('tr', {},
-        ['Behavior', 'Weight', 'Wants', 'Gives up', 'Part'].map((label) =>
+        ['Behavior', 'Weight', 'Wants', 'Loses', 'Part'].map((label) =>
           element('th', {scope: 'col'}, label)))), body));
   }
 

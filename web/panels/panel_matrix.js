@@ -2,12 +2,15 @@
 
 import {element, setAttribute, setText} from '../page/dom.js';
 import {age, ratio} from '../page/text.js';
+import {HeatMap} from './heat_map.js';
 
 const kNames_px = 110;     // For the column of names.
 const kFull_px = 70;       // A cell with room for ratio and age; a smaller one has one sign.
 const kLeastCell_px = 14;
 const kMaxCell_px = 36;
 const kGap_px = 1;
+// Of more vehicles the matrix is a heat map: ten thousand cells of text show nothing.
+const kMostCells = 60;
 const kNarrow_px = 388;    // The panel's width where it is not known yet.
 
 /**
@@ -62,7 +65,9 @@ export class LinkMatrix {
     this.count = element('p', {class: 'dim'});
     this.scroll = element('div', {class: 'matrix-scroll', tabindex: '0',
       'aria-label': 'Link matrix'}, this.table);
-    parent.append(this.choice, this.count, this.scroll);
+    this.heat = new HeatMap((from, to) => this.#words(from, to), onLink);
+    this.scroll.append(this.heat.root);
+    parent.append(this.choice, this.count, this.heat.read, this.scroll);
     new ResizeObserver(() => this.#fit()).observe(this.scroll);
     this.cells = new Map();
     this.shownNames = '';
@@ -94,20 +99,42 @@ export class LinkMatrix {
     this.#offer(mediaToChoose(links));
     const names = Array.isArray(links.names) ? links.names : [];
     const joined = names.join('\n');
-    if (joined !== this.shownNames) this.#build(names);
-    this.shownNames = joined;
     this.links = links;
     const byKey = new Map((links.links ?? []).map((link) => [`${link.from}>${link.to}`, link]));
+    this.byKey = byKey;
+    const isHeat = names.length > kMostCells;
+    this.table.hidden = isHeat;
+    this.heat.root.hidden = this.heat.read.hidden = !isHeat;
     let receiving = 0;
-    for (const [key, cell] of this.cells) {
-      const link = byKey.get(key) ?? null;
-      if (link?.hears) ++receiving;
-      this.#show(cell, cellWords(link, links.t));
+    if (isHeat) {
+      this.#clear();
+      for (const link of byKey.values()) if (link.hears) ++receiving;
+      this.heat.show(names, new Map([...byKey].map(([key, {delivered, offered}]) => (
+        [key, offered > 0 ? delivered / offered : null]))), this.scroll.clientWidth || kNarrow_px);
+    } else {
+      if (joined !== this.shownNames) this.#build(names);
+      this.shownNames = joined;
+      for (const [key, cell] of this.cells) {
+        const link = byKey.get(key) ?? null;
+        if (link?.hears) ++receiving;
+        this.#show(cell, cellWords(link, links.t));
+      }
     }
     const all = names.length * (names.length - 1);
     setText(this.count, all === 0 ? 'One vehicle: no link.'
       : `${receiving} of ${all} links deliver now. Rows send, columns receive.`);
     this.choose(chosen);
+  }
+
+  #words(from, to) {
+    return `${from} to ${to}: ${cellWords(this.byKey.get(`${from}>${to}`) ?? null,
+      this.links.t).title}`;
+  }
+
+  #clear() {
+    this.cells.clear();
+    this.shownNames = null;
+    if (this.table.firstChild) this.table.replaceChildren();
   }
 
   choose(chosen) {
@@ -121,6 +148,10 @@ export class LinkMatrix {
   /** Makes the cells as large as the panel's new width permits. */
   #fit() {
     if (!this.links || !(this.scroll.clientWidth > 0)) return;
+    if ((this.links.names?.length ?? 0) > kMostCells) {
+      this.update(this.links, null);
+      return;
+    }
     const {compact, cell_px} = cellSize(this.scroll.clientWidth, this.links.names?.length ?? 0);
     this.table.style.setProperty('--cell', `${cell_px}px`);
     if (compact === this.compact) return;

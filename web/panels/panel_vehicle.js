@@ -9,7 +9,11 @@ import {modemWords} from './modem.js';
 import {SwarmTables} from './panel_swarm.js';
 import {Poller} from '../net/poller.js';
 import {age, clip, heading, quantity, words} from '../page/text.js';
+import {groupRow, ListChoice, rowsOf} from './vehicle_list.js';
 
+// Of the list's rows.
+const kVehicleKey = 'vehicle ';
+const kGroupKey = 'group ';
 const kWindows_s = [60, 120, 600, 3600];
 
 /** Why a vehicle does not move, in words; "" where nothing holds it. */
@@ -52,10 +56,15 @@ export class VehiclePanel {
     this.page = page;
     this.root = root;
     const body = element('tbody');
-    this.list = new KeyedList(body, (name) => this.#row(name));
+    this.list = new KeyedList(body, (key) => (key.startsWith(kGroupKey)
+      ? groupRow(key.slice(kGroupKey.length), (group) => this.choice.toggleGroup(group))
+      : this.#row(key.slice(kVehicleKey.length))));
+    this.choice = new ListChoice(() => page.frame && this.#showList(page.frame));
     this.facts = element('dl', {class: 'facts'});
     this.factList = new KeyedList(this.facts, (label) => factRow(label));
-    this.title = element('h3', {id: 'vehicle-title'});
+    this.titleText = element('span');
+    this.titleDot = element('i', {class: 'dot'});
+    this.title = element('h3', {id: 'vehicle-title'}, this.titleDot, this.titleText);
     this.alarm = element('p', {id: 'all-stop', class: 'alarm', role: 'status'});
     this.window = element('select', {id: 'window', onchange: () => this.poller.renew()},
       kWindows_s.map((seconds) => element('option', {value: seconds, selected: seconds === 120},
@@ -69,11 +78,11 @@ export class VehiclePanel {
     this.hint = element('p', {class: 'hint'},
       'Click a vehicle on the map or in the list, or press ', element('kbd', {}, 'n'), '.');
     root.replaceChildren(
-      element('section', {}, element('h3', {}, 'Vehicles'), element('div', {class: 'list-scroll'},
-        element('table', {id: 'vehicles', class: 'vehicles'}, element('thead', {}, element('tr', {},
-          [['Name'], ['Mode'], ['Speed', 'm/s'], ['Depth', 'm'], ['Report', 'age']].map(
-            ([label, unit]) => element('th', {scope: 'col'}, label,
-              unit ? element('small', {}, ` ${unit}`) : null)))), body))),
+      element('section', {}, element('h3', {}, 'Vehicles'), this.choice.root,
+        element('div', {class: 'list-scroll'},
+          element('table', {id: 'vehicles', class: 'vehicles'}, element('thead', {}, element('tr', {},
+            [['name', 'Name'], ['mode', 'Mode'], ['speed', 'Speed', 'm/s'], ['depth', 'Depth', 'm'],
+              ['report', 'Report', 'age']].map((column) => this.choice.head(...column)))), body))),
       this.hint, this.detail);
     /** @type {?Object<string, TimeChart>} */
     this.chart = null;
@@ -93,11 +102,13 @@ export class VehiclePanel {
     this.swarm.clear();
     this.factList.clear();
     this.root.classList.toggle('chosen', Boolean(name));
-    setText(this.title, name ?? '');
+    setText(this.titleText, name ?? '');
     setText(this.alarm, '');
+    const chosen = `${kVehicleKey}${name}`;
     for (const [key, row] of this.list.rows) {
-      setAttribute(row.root, 'aria-selected', String(key === name));
-      if (key === name) row.root.scrollIntoView({block: 'nearest'});
+      if (!key.startsWith(kVehicleKey)) continue;
+      setAttribute(row.root, 'aria-selected', String(key === chosen));
+      if (key === chosen) row.root.scrollIntoView({block: 'nearest'});
     }
     this.show(this.visible);
     this.poller.renew();
@@ -105,10 +116,16 @@ export class VehiclePanel {
 
   /** Shows `frame`; called some times per second while the panel is seen. */
   frame(frame) {
-    this.list.sync(frame.vehicles.map((vehicle) => ({vehicle, t: frame.t})),
-      ({vehicle}) => vehicle.name);
+    this.#showList(frame);
     const chosen = frame.vehicles.find(({name}) => name === this.page.selected);
     if (chosen) this.#showFacts(chosen, frame);
+  }
+
+  #showList({vehicles, t}) {
+    const found = rowsOf(vehicles, t, this.choice);
+    this.list.sync(found.rows.map((row) => ({...row, t})), ({vehicle, group}) => (
+      vehicle ? `${kVehicleKey}${vehicle.name}` : `${kGroupKey}${group}`));
+    this.choice.show(found, vehicles.length);
   }
 
   reset() {
@@ -117,6 +134,7 @@ export class VehiclePanel {
   }
 
   restyle() {
+    this.#colorCharts();
     for (const chart of Object.values(this.chart ?? {})) chart.restyle();
   }
 
@@ -152,6 +170,7 @@ export class VehiclePanel {
 
   #showFacts(vehicle, frame) {
     const {nav, report, helm} = vehicle;
+    this.titleDot.style.background = this.page.color(vehicle);
     const alarms = alarmsOf(vehicle);
     setText(this.alarm, alarms.map(({sign, text}) => `${sign} ${clip(text, 200)}`).join('   '));
     setAttribute(this.alarm, 'data-grave', alarms.some(({grave}) => grave) ? 'true' : null);
@@ -186,6 +205,7 @@ export class VehiclePanel {
       {name, window: this.window.value, ...this.page.query()});
     if (name !== this.page.selected) return;
     this.chart ??= this.#makeCharts();
+    this.#colorCharts();
     const {t} = answer;
     this.chart.heading.setData(t, [answer.heading, answer.desired_heading]);
     this.chart.speed.setData(t, [answer.speed, answer.desired_speed]);
@@ -202,8 +222,17 @@ export class VehiclePanel {
     return this.page.isRecorded ? this.page.source.t : this.page.frame?.t ?? 0;
   }
 
+  // What the vehicle does has its colour, as on the map.
+  #colorCharts() {
+    const known = this.page.frame?.vehicles.find(({name}) => name === this.page.selected);
+    if (!known) return;
+    for (const chart of Object.values(this.chart ?? {})) {
+      chart.setOwnColor(this.page.color(known));
+    }
+  }
+
   #makeCharts() {
-    const series = [{label: 'is', color: '--chart-1'},
+    const series = [{label: 'is', color: '--chart-1', own: true},
       {label: 'desired', color: '--chart-2', dash: true}];
     const chart = (options) => new TimeChart(this.charts, {...options, series});
     return {

@@ -112,8 +112,10 @@ void ChildProcesses::Signal(const std::string& name, int signal) {
   if (found != running_.end()) Signal(&found->second, signal);
 }
 
-void ChildProcesses::SignalAll(int signal) {
-  for (auto& [name, child] : running_) Signal(&child, signal);
+void ChildProcesses::SignalAllBut(const std::string& spared, int signal) {
+  for (auto& [name, child] : running_) {
+    if (name != spared) Signal(&child, signal);
+  }
 }
 
 /// To the whole group: a user's command may be a script with children.

@@ -46,7 +46,9 @@ class ChildProcesses {
   std::vector<ChildExit> Reap();
 
   void Signal(const std::string& name, int signal);
-  void SignalAll(int signal);
+  void SignalAll(int signal) { SignalAllBut("", signal); }
+  /// Signals all but the one of this name.
+  void SignalAllBut(const std::string& spared, int signal);
 
   bool IsRunning(const std::string& name) const { return running_.contains(name); }
   size_t num_running() const { return running_.size(); }

@@ -151,10 +151,31 @@ int Launcher::Run(int signal_fd) {
     return supervision_.exit_code();
   }
   if (hosts_ != nullptr) hosts_->WatchToo(signal_fd);
-  if (supervision_.StartAll()) Loop(signal_fd);
+  if (supervision_.StartAll(signal_fd)) Loop(signal_fd);
   ended_us_ = MonotonicMicroseconds();
   supervision_.EndAll(signal_fd);
-  return Conclude();
+  const int code = Conclude();
+  if (running_since_us_ != 0 && supervision_.ViewerStays()) {
+    // For those that look for a running mission it has ended.
+    Unregister(ports_.base());
+    terminal_.Show("The mission has ended; the viewer shows it until Ctrl-C");
+    supervision_.AwaitViewer(signal_fd);
+  }
+  return code;
+}
+
+void Launcher::LeaveVerdict(bool complete) {
+  const std::string verdict =
+      director_->VerdictText(Seconds(clock_.utime() - mission_.start_utime), complete);
+  std::error_code error;
+  const std::string log =
+      context_.log_path.empty() ? "" : std::filesystem::absolute(context_.log_path, error).string();
+  const Result<bool> kept =
+      KeepEnded(ports_.base(), {.mission_id = context_.mission_id, .log = log, .verdict = verdict});
+  if (!kept.ok()) terminal_.Warn("a viewer cannot show the verdict: " + kept.error());
+  if (options_.record_dir.empty()) return;
+  const Result<bool> written = WriteVerdict(options_.record_dir, verdict);
+  if (!written.ok()) supervision_.Fail(kExitEnvironment, written.error());
 }
 
 void Launcher::Loop(int signal_fd) {
@@ -224,13 +245,14 @@ int Launcher::Conclude() {
                                : "no: not all participants took part from beginning to end",
         (hosts_ == nullptr ? "" : hosts_->Summary()) + director_->Summary(complete));
   }
+  if (running_since_us_ != 0) LeaveVerdict(complete);
   if (!options_.record_dir.empty()) {
     const Result<bool> written = WriteSummary(options_.record_dir, summary);
     if (!written.ok()) supervision_.Fail(kExitEnvironment, written.error());
     terminal_.Print(fmt::format("Recorded in {}: {}{}, mission.toml, run.txt, {}logs/\n",
                                 options_.record_dir, LogNameOf(options_),
                                 supervision_.HasLost("recorder") ? " (cut short)" : "",
-                                written.ok() ? "summary.txt, " : ""));
+                                written.ok() ? "summary.txt, verdict.txt, " : ""));
     if (options_.view)
       terminal_.Print(fmt::format("To look at it: shoal view {}\n", options_.record_dir));
   }

@@ -43,6 +43,8 @@ class Launcher {
   void Loop(int signal_fd);
   void ShowProgress(int64_t wall_us);
   int Conclude();
+  /// Writes the verdict for viewers, and into the recording.
+  void LeaveVerdict(bool complete);
 
   const RunOptions& options_;
   const Mission& mission_;

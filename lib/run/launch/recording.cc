@@ -71,4 +71,8 @@ Result<bool> WriteSummary(const std::string& dir, const std::string& summary) {
   return WriteText(fs::path(dir) / "summary.txt", summary);
 }
 
+Result<bool> WriteVerdict(const std::string& dir, const std::string& verdict) {
+  return WriteText(fs::path(dir) / "verdict.txt", verdict);
+}
+
 }  // namespace shoal

@@ -15,4 +15,7 @@ namespace shoal {
 /// Writes summary.txt: what the terminal showed at the end.
 [[nodiscard]] Result<bool> WriteSummary(const std::string& dir, const std::string& summary);
 
+/// Writes verdict.txt (lib/run/verdict/mission_verdict.h).
+[[nodiscard]] Result<bool> WriteVerdict(const std::string& dir, const std::string& verdict);
+
 }  // namespace shoal

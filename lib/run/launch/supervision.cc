@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <optional>
 #include <span>
 
 #include "lib/base/time/time_units.h"
@@ -104,10 +105,15 @@ const RosterProcess* Supervision::FindProcess(const std::string& name) const {
   return found == processes_.end() ? nullptr : &*found;
 }
 
-bool Supervision::StartAll() {
+bool Supervision::StartAll(int signal_fd) {
   started_us_ = MonotonicMicroseconds();
   // First, so that it receives each message of the others' start only once.
   if (context_.options.view && !StartViewer()) return false;
+  if (context_.options.view && context_.options.warp == 0) {
+    AwaitPage(signal_fd);
+    if (exit_code_ != 0) return false;
+    started_us_ = MonotonicMicroseconds();
+  }
   for (const RosterProcess& process : processes_) {
     // A host starts its participants with the mission that it is offered.
     if (IsByHand(process) || IsOnHost(process)) continue;
@@ -135,8 +141,52 @@ bool Supervision::Start(const Result<ChildCommand>& command) {
 bool Supervision::StartViewer() {
   const Result<ChildCommand> command = ViewerCommand(context_);
   if (!Start(command)) return false;
+  viewer_log_ = command->log_path;
   viewer_address_.Await(command->log_path, started_us_);
   return true;
+}
+
+void Supervision::AwaitPage(int signal_fd) {
+  constexpr int64_t kLook_us = 100'000;
+  terminal_.Show(fmt::format("with --warp max the mission begins when its page is open, or in {} s",
+                             kPagePatience_us / kSecond_us));
+  for (;;) {
+    OnSignals(signal_fd);
+    const int64_t now_us = MonotonicMicroseconds();
+    viewer_address_.OnTime(now_us, &terminal_);
+    if (exit_code_ != 0 || !children_.IsRunning(kViewer)) return;
+    if (ViewerAddress::HasPage(viewer_log_)) return;
+    if (now_us - started_us_ > kPagePatience_us) {
+      terminal_.Warn("no page was opened: the mission begins without");
+      return;
+    }
+    pollfd waited = {.fd = signal_fd, .events = POLLIN, .revents = 0};
+    poll(&waited, 1, static_cast<int>(kLook_us / 1000));
+  }
+}
+
+bool Supervision::ViewerStays() const {
+  return context_.options.view && !is_interrupted_ && children_.IsRunning(kViewer);
+}
+
+void Supervision::AwaitViewer(int signal_fd) {
+  is_killing_ = false;
+  std::optional<int64_t> asked_us;
+  while (children_.IsRunning(kViewer)) {
+    signalfd_siginfo info{};
+    while (read(signal_fd, &info, sizeof info) == sizeof info) {
+      if (info.ssi_signo == SIGCHLD) continue;
+      children_.Signal(kViewer, asked_us ? SIGKILL : SIGTERM);
+      if (!asked_us) asked_us = MonotonicMicroseconds();
+    }
+    OnChildExits();
+    if (asked_us && MonotonicMicroseconds() - *asked_us > kExitPatience_us) {
+      children_.Signal(kViewer, SIGKILL);
+    }
+    if (!children_.IsRunning(kViewer)) return;
+    pollfd waited = {.fd = signal_fd, .events = POLLIN, .revents = 0};
+    poll(&waited, 1, asked_us ? static_cast<int>(kExitPatience_us / 1000) : -1);
+  }
 }
 
 bool Supervision::StartLoggers() {
@@ -421,21 +471,25 @@ void Supervision::EndAll(int signal_fd) {
   if (hosts_ != nullptr) hosts_->End();
   // lcm-logger ends on SIGINT. Shoal's own have answered END, or receive a signal now; a user's get
   // the time to leave by themselves.
-  children_.Signal(kViewer, SIGTERM);
+  const std::string kept = ViewerStays() ? kViewer : "";
+  const auto num_to_end = [&] {
+    return children_.num_running() - (children_.IsRunning(kept) ? 1 : 0);
+  };
+  if (kept.empty()) children_.Signal(kViewer, SIGTERM);
   for (const std::string& name : loggers_) children_.Signal(name, SIGINT);
   for (const RosterProcess& process : processes_) {
     if (!process.entries.front().app.empty()) children_.Signal(process.name, SIGTERM);
   }
   const int64_t begin = MonotonicMicroseconds();
-  while (children_.num_running() > 0) {
+  while (num_to_end() > 0) {
     OnChildExits();
     const int64_t waited = MonotonicMicroseconds() - begin;
     if (waited > kExitPatience_us / 2 && !is_killing_) {
       is_killing_ = true;
-      children_.SignalAll(SIGTERM);
+      children_.SignalAllBut(kept, SIGTERM);
     }
     if (waited > kExitPatience_us) {
-      children_.SignalAll(SIGKILL);
+      children_.SignalAllBut(kept, SIGKILL);
       break;
     }
     AwaitExit(signal_fd, (is_killing_ ? kExitPatience_us : kExitPatience_us / 2) - waited);

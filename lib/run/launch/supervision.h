@@ -28,18 +28,28 @@ int64_t StartLimit_us(double participant_timeout_s, size_t num_processes);
 
 class Supervision {
  public:
+  /// How long a mission that is over in seconds waits for a page to be opened.
+  static constexpr int64_t kPagePatience_us = 30'000'000;
+
   /// All arguments must outlive this. `hosts`: nullptr where all runs on this computer.
   Supervision(const LaunchContext& context, const std::vector<RosterProcess>& processes,
               StepClock& clock, LaunchTerminal& terminal, MissionHosts* hosts);
 
-  /// Starts all processes; false after Fail.
-  bool StartAll();
+  /// Starts all processes; false after Fail. With `--view` and `--warp max` it first waits for a
+  /// page, for kPagePatience_us at most. `signal_fd` as OnSignals has it.
+  bool StartAll(int signal_fd);
   /// Reads a signalfd for SIGINT, SIGTERM, SIGHUP and SIGCHLD.
   void OnSignals(int signal_fd);
   /// Does what is due. `num_foreign`: messages of other missions that were rejected so far.
   void OnTime(int64_t wall_us, int64_t num_foreign);
-  /// Ends all processes: asks, waits for a second, then kills.
+  /// Ends all processes: asks, waits for a second, then kills. A viewer goes on where
+  /// ViewerStays().
   void EndAll(int signal_fd);
+  /// Returns true where the viewer goes on after the mission: it runs, and the user has not
+  /// interrupted the mission.
+  bool ViewerStays() const;
+  /// Waits until the viewer ends, or a signal for this process ends it.
+  void AwaitViewer(int signal_fd);
 
   /// The mission ends with this exit code; OnTime stops the clock. The first call with
   /// kExitEnvironment is the cause.
@@ -60,6 +70,7 @@ class Supervision {
   bool StartProcess(const RosterProcess& process);
   bool Start(const Result<ChildCommand>& command);
   bool StartViewer();
+  void AwaitPage(int signal_fd);
   bool StartLoggers();
   void OnChildExits();
   void CheckHosts();
@@ -83,6 +94,7 @@ class Supervision {
   MissionHosts* const hosts_;
   ChildProcesses children_;
   ViewerAddress viewer_address_;
+  std::string viewer_log_;  ///< Its output.
   std::vector<std::string> loggers_;
   std::set<std::string> lost_;        ///< Lost processes that the user knows of.
   std::set<std::string> lost_later_;  ///< Lost after the end of the mission was decided.

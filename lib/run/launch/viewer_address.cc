@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <fstream>
+#include <string_view>
 
 #include "lib/base/time/time_units.h"
 
@@ -13,11 +14,11 @@ namespace {
 constexpr int64_t kAddressPatience_us = 10 * kSecond_us;
 constexpr int64_t kLookInterval_us = 100'000;
 
-/// Returns the line with the viewer's address, once it is there as a whole.
-std::string AddressIn(const std::string& log_path) {
+/// Returns the first line that begins with `begin`, once it is there as a whole.
+std::string LineOf(const std::string& log_path, std::string_view begin) {
   std::ifstream in(log_path);
   for (std::string line; std::getline(in, line) && !in.eof();) {
-    if (line.starts_with("viewer: http")) return line;
+    if (line.starts_with(begin)) return line;
   }
   return {};
 }
@@ -33,7 +34,7 @@ void ViewerAddress::Await(const std::string& log_path, int64_t wall_us) {
 void ViewerAddress::OnTime(int64_t wall_us, LaunchTerminal* terminal) {
   if (log_path_.empty() || wall_us < next_look_us_) return;
   next_look_us_ = wall_us + kLookInterval_us;
-  const std::string address = AddressIn(log_path_);
+  const std::string address = LineOf(log_path_, "viewer: http");
   if (address.empty() && wall_us - started_us_ < kAddressPatience_us) return;
   if (address.empty()) {
     terminal->Warn(
@@ -42,6 +43,10 @@ void ViewerAddress::OnTime(int64_t wall_us, LaunchTerminal* terminal) {
     terminal->Show(address);
   }
   log_path_.clear();
+}
+
+bool ViewerAddress::HasPage(const std::string& log_path) {
+  return !LineOf(log_path, "viewer: a page is open").empty();
 }
 
 }  // namespace shoal

@@ -1,5 +1,5 @@
 // The address of the viewer that `shoal run --view` starts: the viewer writes it to its log, and
-// the launcher shows it.
+// the launcher shows it. Once a page is open the viewer writes that too.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +17,8 @@ class ViewerAddress {
   void OnTime(int64_t wall_us, LaunchTerminal* terminal);
   /// The viewer has ended.
   void Forget() { log_path_.clear(); }
+  /// Returns true once the viewer has written that a page is open.
+  static bool HasPage(const std::string& log_path);
 
  private:
   std::string log_path_;  ///< Empty: nothing is awaited.

@@ -49,6 +49,14 @@ TEST_F(AwaitedViewer, IsWarnedAboutAfterTenSecondsWithoutAnAddress) {
   EXPECT_EQ(ShownAt(10.3), "");
 }
 
+TEST_F(AwaitedViewer, HasAPageOnceItsLogHasTheLine) {
+  Log("viewer: http://127.0.0.1:8765/\n");
+  EXPECT_FALSE(ViewerAddress::HasPage(path_));
+  Log("viewer: a page is open\n");
+  EXPECT_TRUE(ViewerAddress::HasPage(path_));
+  EXPECT_FALSE(ViewerAddress::HasPage(path_ + "-of-none"));
+}
+
 TEST_F(AwaitedViewer, IsNotAwaitedOnceTheViewerHasEnded) {
   Log("viewer: http://127.0.0.1:8765/\n");
   address_.Forget();

@@ -20,6 +20,9 @@ class Director : public App {
   /// Returns the mission's last page, should it end now; its last line is PASS or FAIL, or
   /// INCOMPLETE where the mission is not `complete`.
   virtual std::string Summary(bool complete) const = 0;
+  /// Returns the same for other programs, the mission having ended at `end_s`: TextOf
+  /// (lib/run/verdict/mission_verdict.h).
+  virtual std::string VerdictText(double end_s, bool complete) const = 0;
   /// Returns true from the step on after which the mission ends before its time: the tasks of all
   /// vehicles with end_of_tasks = "end_mission" are done.
   virtual bool EndsMission() const = 0;

@@ -4,6 +4,7 @@
 //
 //   <port>.run     the entry of a mission (lib/run/run/run_registry.h)
 //   <port>.secret  its secret (lib/bus/bus/mission_secret.h)
+//   <port>.ended   the verdict on the last mission there
 //   <port>-logs/   the participants' output, of a run without --record
 //
 // Every function that touches the folder refuses one that is not this user's, or that others can

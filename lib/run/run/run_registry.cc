@@ -77,6 +77,7 @@ bool LockBlock(int base, int num_ports) {
 
 std::string EntryName(int port_base) { return fmt::format("{}.run", port_base); }
 std::string SecretName(int port_base) { return fmt::format("{}.secret", port_base); }
+std::string EndedName(int port_base) { return fmt::format("{}.ended", port_base); }
 
 std::optional<RunningMission> ReadEntry(const std::string& name) {
   const Result<std::string> text = ReadRunFile(name);
@@ -123,6 +124,25 @@ std::optional<RunningMission> ReadEntry(const std::string& name) {
 }
 
 }  // namespace
+
+Result<bool> KeepEnded(int port_base, const EndedMission& ended) {
+  const Result<std::string> path = WriteRunFile(
+      EndedName(port_base), fmt::format("{}\n{}\n{}", ended.mission_id, ended.log, ended.verdict));
+  if (!path.ok()) return Error{path.error()};
+  return true;
+}
+
+std::optional<EndedMission> FindEnded(int port_base, int64_t mission_id) {
+  const Result<std::string> text = ReadRunFile(EndedName(port_base));
+  if (!text.ok()) return std::nullopt;
+  const size_t first = text->find('\n');
+  const size_t second = first == std::string::npos ? first : text->find('\n', first + 1);
+  if (second == std::string::npos) return std::nullopt;
+  if (text->substr(0, first) != std::to_string(mission_id)) return std::nullopt;
+  return EndedMission{.mission_id = mission_id,
+                      .log = text->substr(first + 1, second - first - 1),
+                      .verdict = text->substr(second + 1)};
+}
 
 std::string EntryPath(int port_base) {
   return fmt::format("{}/{}", RunFolder(), EntryName(port_base));
@@ -221,6 +241,7 @@ Result<bool> Register(const RunningMission& mission) {
     add("order", fmt::format("{}\t{}\t{}", order.name, order.target, fmt::join(order.words, "\t")));
   }
   for (const std::string& each : mission.overrides) add("set", each);
+  RemoveRunFile(EndedName(mission.port_base));
   const Result<std::string> written = WriteRunFile(EntryName(mission.port_base), text);
   if (!written.ok()) return Error{written.error()};
   return true;

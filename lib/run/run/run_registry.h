@@ -63,6 +63,17 @@ std::string SecretPath(int port_base);
 [[nodiscard]] Result<bool> Register(const RunningMission& mission);
 void Unregister(int port_base);
 
+/// What a mission leaves for those that watched it, at its port, until the next one there.
+struct EndedMission {
+  int64_t mission_id = 0;
+  std::string log = {};      ///< Of the recorder, an absolute path; empty: not recorded.
+  std::string verdict = {};  ///< Director::VerdictText.
+};
+/// Writes it; to be called before Unregister.
+[[nodiscard]] Result<bool> KeepEnded(int port_base, const EndedMission& ended);
+/// Returns what the mission of this number left; nothing where it left nothing.
+[[nodiscard]] std::optional<EndedMission> FindEnded(int port_base, int64_t mission_id);
+
 /// Returns the missions of this user whose launchers are alive, in order of port; removes the
 /// entries of the others. An error where the run folder is not to be trusted.
 [[nodiscard]] Result<std::vector<RunningMission>> RunningMissions();

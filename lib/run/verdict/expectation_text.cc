@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -114,7 +115,64 @@ struct UnitFinder {
   std::string_view operator()(const EncounterScoreExpectation& /*score*/) const { return ""; }
 };
 
+struct MarginFinder {
+  const Mission& mission;
+  double value;
+
+  using Margin = std::optional<double>;
+
+  template <class T, class U>
+  Margin Between(const std::optional<T>& least, const std::optional<U>& most) const {
+    Margin margin;
+    if (least) margin = value - static_cast<double>(*least);
+    if (most) {
+      const double below = static_cast<double>(*most) - value;
+      margin = margin ? std::min(*margin, below) : below;
+    }
+    return margin;
+  }
+  Margin operator()(const ArrivalExpectation& arrival) const {
+    return LimitSeconds(mission, arrival.by_s) - value;
+  }
+  Margin operator()(const SeparationExpectation& separation) const {
+    return value - separation.min_m;
+  }
+  Margin operator()(const CommsExpectation& comms) const {
+    if (comms.at_least_pct || comms.at_most_pct) {
+      // The number is the share; a limit of the count beside it has none of its own.
+      return Between(comms.at_least_pct, comms.at_most_pct);
+    }
+    return Between(comms.at_least, comms.at_most);
+  }
+  Margin operator()(const SwarmExpectation& swarm) const {
+    return Between(swarm.at_least_pct, swarm.at_most_pct);
+  }
+  Margin operator()(const HelmExpectation& /*helm*/) const { return std::nullopt; }
+  Margin operator()(const LapsExpectation& laps) const {
+    return value - static_cast<double>(laps.at_least);
+  }
+  Margin operator()(const TrackExpectation& track) const { return track.max_m - value; }
+  Margin operator()(const DistanceExpectation& distance) const {
+    return Between(distance.min_m, distance.max_m);
+  }
+  Margin operator()(const AltitudeExpectation& altitude) const { return value - altitude.min_m; }
+  Margin operator()(const NavigationErrorExpectation& error) const { return error.max_m - value; }
+  Margin operator()(const ClosestApproachExpectation& approach) const {
+    return value - approach.at_least_m;
+  }
+  Margin operator()(const EncounterScoreExpectation& score) const { return value - score.at_least; }
+  Margin operator()(const CoverageExpectation& coverage) const {
+    return value - coverage.at_least_pct;
+  }
+};
+
 }  // namespace
+
+std::optional<double> MarginOf(const Mission& mission, const Expectation& expectation,
+                               std::optional<double> value) {
+  if (!value) return std::nullopt;
+  return std::visit(MarginFinder{mission, *value}, expectation.what);
+}
 
 std::string Describe(const Mission& mission, const Expectation& expectation) {
   return std::visit(Describer{mission}, expectation.what);

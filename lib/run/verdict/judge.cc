@@ -374,7 +374,8 @@ std::vector<ExpectationVerdict> Judge::Verdicts() const {
                         .passed = outcome.passed,
                         .numbers = outcome.numbers,
                         .value = outcome.value,
-                        .unit = UnitOf(*each.expectation)});
+                        .unit = UnitOf(*each.expectation),
+                        .margin = MarginOf(mission_, *each.expectation, outcome.value)});
   }
   return verdicts;
 }

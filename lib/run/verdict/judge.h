@@ -48,7 +48,8 @@ struct ExpectationVerdict {
   /// The number that decided; of several vehicles the worst one's, which is the one that has none
   /// where there is such a one. Absent: an arrival that never was, nothing offered, nothing seen.
   std::optional<double> value = {};
-  std::string_view unit = {};  ///< Of `value`: UnitOf. Of static storage.
+  std::string_view unit = {};         ///< Of `value`: UnitOf. Of static storage.
+  std::optional<double> margin = {};  ///< MarginOf `value`.
 };
 
 /// What a helm reported last.

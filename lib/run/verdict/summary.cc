@@ -126,23 +126,6 @@ std::string GroundingList(const Mission& mission, const Judge& judge) {
   return text;
 }
 
-/// Returns "2 of 3 expectations missed, 1 collision": why the mission failed; empty: it did not.
-std::string Failures(const Mission& mission, const Judge& judge, int num_missed,
-                     size_t num_expectations) {
-  std::string text;
-  if (num_missed > 0)
-    text = fmt::format("{} of {} expectations missed", num_missed, num_expectations);
-  if (judge.num_collisions() > 0 && mission.collisions == CollisionVerdict::kFail) {
-    text += fmt::format("{}{} collision{}", text.empty() ? "" : ", ", judge.num_collisions(),
-                        judge.num_collisions() == 1 ? "" : "s");
-  }
-  if (judge.num_groundings() > 0 && mission.grounding == GroundingVerdict::kFail) {
-    text += fmt::format("{}{} grounding{}", text.empty() ? "" : ", ", judge.num_groundings(),
-                        judge.num_groundings() == 1 ? "" : "s");
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string GroundingText(const Mission& mission, const GroundingFact& fact) {
@@ -153,6 +136,25 @@ std::string GroundingText(const Mission& mission, const GroundingFact& fact) {
                      draught_m > 0 ? fmt::format("draught {:g} m", draught_m)
                                    : fmt::format("{:.1f} m deep", fact.position_m.z()),
                      fact.floor_m);
+}
+
+std::string FailuresOf(const Mission& mission, const Judge& judge) {
+  const std::vector<ExpectationVerdict> verdicts = judge.Verdicts();
+  const auto num_missed = std::count_if(verdicts.begin(), verdicts.end(),
+                                        [](const auto& verdict) { return !verdict.passed; });
+  std::string text;
+  if (num_missed > 0)
+    text = fmt::format("{} of {} expectations missed", num_missed, verdicts.size());
+  const auto add = [&](int64_t count, std::string_view what) {
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", count, what, count == 1 ? "" : "s");
+  };
+  if (judge.num_collisions() > 0 && mission.collisions == CollisionVerdict::kFail) {
+    add(judge.num_collisions(), "collision");
+  }
+  if (judge.num_groundings() > 0 && mission.grounding == GroundingVerdict::kFail) {
+    add(judge.num_groundings(), "grounding");
+  }
+  return text;
 }
 
 std::string Summarize(const Mission& mission, const Judge& judge, bool complete) {
@@ -169,17 +171,15 @@ std::string Summarize(const Mission& mission, const Judge& judge, bool complete)
   if (judge.num_groundings() > 0) text += GroundingList(mission, judge);
   const std::vector<ExpectationVerdict> verdicts = judge.Verdicts();
   if (!verdicts.empty()) text += "\nExpectations\n";
-  int num_failed = 0;
   for (const ExpectationVerdict& verdict : verdicts) {
     text += fmt::format("    {} {}: {} [{}]\n", verdict.passed ? "pass" : "FAIL", verdict.text,
                         verdict.numbers, verdict.where);
-    if (!verdict.passed) ++num_failed;
   }
   if (!complete) return text + "\nINCOMPLETE: the mission did not run to its end\n";
   const std::vector<std::string> warnings = judge.Warnings();
   if (!warnings.empty()) text += "\nWarnings\n";
   for (const std::string& warning : warnings) text += fmt::format("    {}\n", warning);
-  const std::string failures = Failures(mission, judge, num_failed, verdicts.size());
+  const std::string failures = FailuresOf(mission, judge);
   return text + (failures.empty() ? "\nPASS\n" : fmt::format("\nFAIL: {}\n", failures));
 }
 

@@ -17,4 +17,8 @@ namespace shoal {
 [[nodiscard]] std::string Summarize(const Mission& mission, const Judge& judge,
                                     bool complete = true);
 
+/// Returns "2 of 3 expectations missed, 1 collision": why a mission that ran to its end failed;
+/// empty: it did not.
+[[nodiscard]] std::string FailuresOf(const Mission& mission, const Judge& judge);
+
 }  // namespace shoal

@@ -111,7 +111,7 @@ struct Script {
   int reset_line = 0;
   int pause_line = 0;  ///< Of paused = true; 0: it is not.
   std::string pause_variable = "UTS_PAUSE";
-  bool shuffles = true;  ///< Times are drawn anew in each round.
+  bool shuffles = true;  ///< Times are drawn again in each round.
 };
 
 Script ReadScript(const MoosBlock& block, TimerScript* result) {

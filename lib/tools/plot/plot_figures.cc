@@ -8,7 +8,7 @@
 
 #include "lib/base/text/letters.h"
 #include "lib/base/time/seconds.h"
-#include "lib/tools/plot/plot_colors.h"
+#include "lib/mission/model/vehicle_colors.h"
 #include "lib/tools/plot/plot_tracks.h"
 
 namespace shoal {

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "lib/base/arithmetic/elementary.h"
+#include "lib/helm/behaviors/behavior_outline.h"
 #include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/coverage_area.h"
 
@@ -83,6 +84,13 @@ PlotSetting SettingOf(const Mission& mission) {
       if (const auto* tracking = std::get_if<TargetTrackTask>(&task.what)) {
         planned.target = tracking->target;
         AddDistances(tracking->track.law, &setting.distances);
+      }
+    }
+    for (const BehaviorOptions& behavior : vehicle.behaviors) {
+      for (const TaskOutline& outline : OutlinesOf(behavior.what)) {
+        AddArea(outline.area_m, &setting.areas);
+        PlannedPath path = PathOf(outline);
+        if (!path.legs.empty()) planned.paths.push_back(std::move(path));
       }
     }
     setting.vehicles.push_back(std::move(planned));

@@ -66,6 +66,18 @@ TEST(PlotSetting, HasNoPlaceForAVehicleThatKeepsStationWhereverItIs) {
   EXPECT_EQ(SettingOf(MissionWith({.name = "k", .what = task})).vehicles.at(0).paths.size(), 1u);
 }
 
+TEST(PlotSetting, HasThePlanOfBehaviors) {
+  Mission mission = MissionWith({.name = "t", .what = ReturnTask{}});
+  mission.vehicles[0].tasks.clear();
+  mission.vehicles[0].behaviors = {
+      {.name = "out", .what = WaypointOptions{.points = {{0, 0}, {50, 0}}}},
+      {.name = "fence", .what = OpRegionOptions{.core_poly = {{0, 0}, {90, 0}, {90, 90}}}}};
+  const PlotSetting setting = SettingOf(mission);
+  ASSERT_EQ(setting.vehicles.at(0).paths.size(), 1u);
+  EXPECT_EQ(setting.vehicles[0].paths[0].legs.size(), 2u);
+  EXPECT_EQ(setting.areas.size(), 1u);
+}
+
 TEST(PlotSetting, NamesTheDistancesOfTargetTrackingOnce) {
   TargetTrackTask task;
   task.target = "leader";

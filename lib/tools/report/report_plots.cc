@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "lib/base/text/letters.h"
+#include "lib/mission/model/vehicle_colors.h"
 #include "lib/tools/campaign/case_labels.h"
-#include "lib/tools/plot/plot_colors.h"
 
 namespace shoal {
 

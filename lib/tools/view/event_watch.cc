@@ -8,8 +8,12 @@
 
 #include "lib/base/check/enum_table.h"
 #include "lib/base/time/seconds.h"
+#include "lib/base/time/time_units.h"
 #include "lib/bus/bus/waypoint_arrival.h"
+#include "lib/mission/model/event_text.h"
 #include "lib/mission/model/mission.h"
+#include "lib/run/verdict/mission_verdict.h"
+#include "lib/tools/view/fate_text.h"
 #include "lib/tools/view/view_limits.h"
 
 namespace shoal {
@@ -20,6 +24,8 @@ constexpr size_t kMaxReason = 200;
 /// What a helm states of an all-stop that came without a reason.
 constexpr std::string_view kByCommand = "all_stop command";
 constexpr std::string_view kStopped = "ALL-STOP";
+constexpr std::string_view kDrives = "DRIVE";
+constexpr std::string_view kParked = "PARK";
 
 std::vector<double> LengthsOf(const std::vector<WatchedVehicle>& vehicles) {
   std::vector<double> lengths_m;
@@ -39,19 +45,56 @@ std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission) {
   return vehicles;
 }
 
+std::vector<ViewEvent> PlannedEventsOf(const Mission& mission) {
+  std::vector<ViewEvent> planned;
+  for (const Event& event : mission.events) {
+    const std::string vehicle = VehicleOf(event);
+    std::vector<std::string> vehicles;
+    if (mission.FindVehicle(vehicle) != nullptr) vehicles.push_back(vehicle);
+    planned.push_back({.utime = mission.start_utime + Microseconds(event.at_s),
+                       .kind = EventKind::kMission,
+                       .vehicles = std::move(vehicles),
+                       .text = EventText(event)});
+  }
+  return planned;
+}
+
+std::vector<ViewEvent> EventsOf(const MissionVerdict& verdict, int64_t start_utime) {
+  constexpr size_t kMaxVerdicts = 500;
+  constexpr double kLongest_s = 1e9;
+  std::vector<ViewEvent> events;
+  for (const VerdictLine& line : verdict.lines) {
+    if (events.size() == kMaxVerdicts) break;
+    events.push_back(
+        {.utime =
+             start_utime + static_cast<int64_t>(std::clamp(verdict.end_s, 0.0, kLongest_s) * 1e6),
+         .kind = line.passed ? EventKind::kMet : EventKind::kMissed,
+         .vehicles = {},
+         .text = fmt::format("{}: {}: {}", line.passed ? "met" : "missed",
+                             line.text.substr(0, kMaxReason), line.numbers.substr(0, kMaxReason))});
+  }
+  return events;
+}
+
 std::string_view EventKindText(EventKind kind) {
   constexpr EnumTable<EventKind, std::string_view> kTexts = {
-      "collision",     "aground",      "all_stop",      "cleared",
-      "first_contact", "lost_contact", "contact_again", "waypoint"};
+      "collision",    "aground",       "all_stop",     "cleared",  "first_contact",
+      "lost_contact", "contact_again", "waypoint",     "deployed", "parked",
+      "task",         "message",       "message_lost", "surfaced", "fix",
+      "role",         "mission",       "met",          "missed"};
   return kTexts[kind];
 }
 
-EventWatch::EventWatch(std::vector<WatchedVehicle> vehicles)
+EventWatch::EventWatch(std::vector<WatchedVehicle> vehicles, std::vector<ViewEvent> planned)
     : vehicles_(std::move(vehicles)),
       positions_m_(vehicles_.size(), Eigen::Vector3d::Zero()),
       collisions_(LengthsOf(vehicles_)),
       groundings_(vehicles_.size()),
-      helms_(vehicles_.size()) {
+      helms_(vehicles_.size()),
+      is_deep_(vehicles_.size()),
+      has_fix_(vehicles_.size()),
+      parts_(vehicles_.size()),
+      planned_(std::move(planned)) {
   for (const WatchedVehicle& vehicle : vehicles_) names_.push_back(vehicle.name);
 }
 
@@ -72,13 +115,28 @@ void EventWatch::OnNav(size_t vehicle, int64_t utime, double x_m, double y_m, do
     const std::string& name = vehicles_[vehicle].name;
     AddEvent(utime, EventKind::kAground, {name}, fmt::format("{}: aground", name));
   }
+  WatchSurface(vehicle, utime, z_m);
   if (seen_.size() >= vehicles_.size()) CompareAll();
+}
+
+void EventWatch::WatchSurface(size_t vehicle, int64_t utime, double z_m) {
+  constexpr double kDeep_m = 2;
+  constexpr double kAtSurface_m = 0.5;
+  if (vehicles_[vehicle].draught_m != 0.0) return;
+  if (z_m > kDeep_m) {
+    is_deep_[vehicle] = true;
+  } else if (z_m < kAtSurface_m && is_deep_[vehicle]) {
+    is_deep_[vehicle] = false;
+    const std::string& name = vehicles_[vehicle].name;
+    AddOneOfMany(utime, EventKind::kSurfaced, {name}, fmt::format("{}: at the surface", name));
+  }
 }
 
 void EventWatch::OnHelm(size_t vehicle, const helm_state_t& helm) {
   if (vehicle >= vehicles_.size()) return;
   WatchStop(vehicle, helm);
   WatchArrival(vehicle, helm);
+  WatchTask(vehicle, helm);
   helms_[vehicle] = helm;
 }
 
@@ -107,6 +165,86 @@ void EventWatch::WatchArrival(size_t vehicle, const helm_state_t& helm) {
   const std::string& name = vehicles_[vehicle].name;
   AddEvent(helm.utime, EventKind::kWaypoint, {name},
            fmt::format("{}: {}", name, arrival.substr(0, kMaxReason)));
+}
+
+void EventWatch::WatchTask(size_t vehicle, const helm_state_t& helm) {
+  const helm_state_t& before = helms_[vehicle];
+  const std::string& name = vehicles_[vehicle].name;
+  const bool drives = helm.state == kDrives;
+  if (drives && before.state != kDrives && before.state != kStopped) {
+    AddOneOfMany(helm.utime, EventKind::kDeployed, {name}, fmt::format("{}: deployed", name));
+  }
+  if (helm.state == kParked && before.state == kDrives) {
+    AddOneOfMany(helm.utime, EventKind::kParked, {name}, fmt::format("{}: parked", name));
+  }
+  if (!drives || helm.task.empty() || helm.task == before.task) return;
+  AddOneOfMany(helm.utime, EventKind::kTask, {name},
+               fmt::format("{}: task {}", name, helm.task.substr(0, kMaxReason)));
+}
+
+void EventWatch::OnDecision(size_t vehicle, const helm_decision_t& decision) {
+  if (vehicle >= vehicles_.size()) return;
+  /// A part that is not named for so long has ended; when it comes again it is another encounter.
+  constexpr int64_t kForgotten_us = 30 * kSecond_us;
+  const int64_t utime = PlausibleUtime(decision.utime);
+  std::vector<Part>& parts = parts_[vehicle];
+  std::erase_if(parts, [&](const Part& part) { return utime - part.utime > kForgotten_us; });
+  const std::string& name = vehicles_[vehicle].name;
+  for (const helm_aim_t& aim : decision.aims) {
+    if (aim.contact.empty() || aim.role.empty()) continue;
+    auto part = std::find_if(parts.begin(), parts.end(),
+                             [&](const Part& each) { return each.contact == aim.contact; });
+    if (part == parts.end()) {
+      if (parts.size() == kMaxParts) continue;
+      parts.push_back({.contact = aim.contact});
+      part = parts.end() - 1;
+    }
+    part->utime = utime;
+    if (part->role == aim.role) continue;
+    part->role = aim.role;
+    std::string text = fmt::format("{}: {} toward {}", name, aim.role, aim.contact);
+    if (!aim.rule.empty()) text += fmt::format(" (rule {})", aim.rule);
+    if (aim.range_m >= 0) text += fmt::format(", {:.1f} m", aim.range_m);
+    AddOneOfMany(utime, EventKind::kRole, {name, aim.contact}, text.substr(0, 2 * kMaxReason));
+  }
+}
+
+void EventWatch::OnNavigation(size_t vehicle, const navigation_t& navigation) {
+  if (vehicle >= vehicles_.size()) return;
+  const bool has_fix = navigation.has_gps_fix != 0;
+  if (has_fix_[vehicle] == false && has_fix) {
+    const std::string& name = vehicles_[vehicle].name;
+    AddOneOfMany(navigation.utime, EventKind::kFix, {name}, fmt::format("{}: GPS fix", name));
+  }
+  has_fix_[vehicle] = has_fix;
+}
+
+void EventWatch::OnMessage(int32_t from, int32_t to, const FateView& fate) {
+  const CauseOutcome outcome = RowOf(fate.facts.cause).outcome;
+  if (fate.facts.kind != Kind::kMessage || outcome == CauseOutcome::kPending) return;
+  const bool is_received = IsReceived(fate.facts.cause);
+  AddOneOfMany(fate.facts.utime, is_received ? EventKind::kMessage : EventKind::kMessageLost,
+               {NameOf(from), NameOf(to)},
+               fmt::format("message {} of {}", fate.facts.number, FateText(fate)));
+}
+
+void EventWatch::TakePlanned(int64_t utime) {
+  for (; next_planned_ < planned_.size() && planned_[next_planned_].utime <= utime;
+       ++next_planned_) {
+    const ViewEvent& event = planned_[next_planned_];
+    AddEvent(event.utime, event.kind, event.vehicles, event.text.substr(0, kMaxReason));
+  }
+}
+
+void EventWatch::AddOneOfMany(int64_t utime, EventKind kind, std::vector<std::string> vehicles,
+                              std::string text) {
+  size_t& count = num_of_kind_.at(static_cast<size_t>(kind));
+  if (count == kMaxOfKind) {
+    ++num_left_out_;
+    return;
+  }
+  ++count;
+  AddEvent(utime, kind, std::move(vehicles), std::move(text));
 }
 
 void EventWatch::SetStaleTime(double stale_time_s) {

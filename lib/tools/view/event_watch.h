@@ -1,5 +1,5 @@
-// Finds the events of a mission: collisions, groundings, all-stops, waypoints reached, contacts won
-// and lost (docs/viewer_protocol.md).
+// Finds the events of a mission: what its vehicles did, what became of their messages, their
+// encounters, what went wrong (docs/viewer_protocol.md).
 //
 //   EventWatch watch({{"alpha", 3}, {"bravo", 3}});
 //   watch.OnNav(0, utime, x_m, y_m, z_m);
@@ -9,6 +9,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -19,11 +20,14 @@
 #include "lib/tools/view/fate_facts.h"
 #include "lib/vehicle/vehicle/collision_watch.h"
 #include "lib/vehicle/vehicle/grounding_watch.h"
+#include "shoal/helm_decision_t.hpp"
 #include "shoal/helm_state_t.hpp"
+#include "shoal/navigation_t.hpp"
 
 namespace shoal {
 
 struct Mission;
+struct MissionVerdict;
 
 enum class EventKind : uint8_t {
   kCollision,
@@ -34,6 +38,17 @@ enum class EventKind : uint8_t {
   kLostContact,
   kContactAgain,
   kWaypoint,
+  kDeployed,
+  kParked,
+  kTask,
+  kMessage,
+  kMessageLost,
+  kSurfaced,
+  kFix,
+  kRole,
+  kMission,
+  kMet,
+  kMissed,
 };
 [[nodiscard]] std::string_view EventKindText(EventKind kind);
 
@@ -55,15 +70,22 @@ struct WatchedVehicle {
 /// Returns the vehicles of a mission, in its order.
 [[nodiscard]] std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission);
 
+/// Returns the [[event]]s of a mission, in order of time.
+[[nodiscard]] std::vector<ViewEvent> PlannedEventsOf(const Mission& mission);
+
+/// Returns an event for each expectation, met or missed, at the end of the mission.
+[[nodiscard]] std::vector<ViewEvent> EventsOf(const MissionVerdict& verdict, int64_t start_utime);
+
 class EventWatch {
  public:
-  static constexpr size_t kMaxEvents = 10'000;
-  static constexpr size_t kMaxArrivals = 5'000;  ///< Of them; a fleet must not crowd out the rest.
+  static constexpr size_t kMaxEvents = 20'000;
+  static constexpr size_t kMaxArrivals = 3'000;  ///< Of them; a fleet must not crowd out the rest.
+  static constexpr size_t kMaxOfKind = 1'000;    ///< Tasks, fates of messages, roles: each.
   static constexpr double kLeastSilence_s = 10;
   static constexpr size_t kMaxNames = 1000;  ///< Vehicles whose contacts are watched.
 
   /// Vehicles of OnNav and OnHelm are numbers in this list.
-  explicit EventWatch(std::vector<WatchedVehicle> vehicles);
+  explicit EventWatch(std::vector<WatchedVehicle> vehicles, std::vector<ViewEvent> planned = {});
 
   /// Takes a position. When one of a later time comes, those of equal times have been compared:
   /// nearer than the mean of their lengths is a collision, once until they were twice as far apart.
@@ -72,6 +94,12 @@ class EventWatch {
              double altitude_m = -1);
   /// Takes what HELM_STATE states.
   void OnHelm(size_t vehicle, const helm_state_t& helm);
+  /// Takes what HELM_DECISION states: parts toward contacts.
+  void OnDecision(size_t vehicle, const helm_decision_t& decision);
+  /// Takes what NAVIGATION states: GPS.
+  void OnNavigation(size_t vehicle, const navigation_t& navigation);
+  /// Takes the fate of a message of a vehicle; numbers as those of OnFate.
+  void OnMessage(int32_t from, int32_t to, const FateView& fate);
   /// Takes a fate of two vehicles (`utime` within kFarthest_us), by any numbers that stand for
   /// their names until the end.
   void OnFate(int32_t from, int32_t to, Cause cause, int64_t utime) {
@@ -81,6 +109,9 @@ class EventWatch {
   /// Takes the time, as OnFate does too: contacts are lost by silence.
   void OnTime(int64_t utime) {
     if (utime >= next_loss_utime_) FindLosses(utime);
+    if (next_planned_ < planned_.size() && utime >= planned_[next_planned_].utime) {
+      TakePlanned(utime);
+    }
   }
   /// Compares the last positions; for the end of a log.
   void Finish() { CompareAll(); }
@@ -98,6 +129,14 @@ class EventWatch {
 
  private:
   enum class Contact : uint8_t { kNone, kNow, kLost };
+  static constexpr size_t kNumKindsOfEvents = static_cast<size_t>(EventKind::kMissed) + 1;
+  static constexpr size_t kMaxParts = 50;
+  /// A vehicle's part toward a contact.
+  struct Part {
+    std::string contact = {};
+    std::string role = {};
+    int64_t utime = 0;  ///< Of the last decision that named it.
+  };
   struct Pair {
     int64_t received_utime = 0;
     Contact contact = Contact::kNone;
@@ -105,6 +144,12 @@ class EventWatch {
 
   void WatchStop(size_t vehicle, const helm_state_t& helm);
   void WatchArrival(size_t vehicle, const helm_state_t& helm);
+  void WatchTask(size_t vehicle, const helm_state_t& helm);
+  void WatchSurface(size_t vehicle, int64_t utime, double z_m);
+  void TakePlanned(int64_t utime);
+  /// AddEvent, for at most kMaxOfKind of the kind.
+  void AddOneOfMany(int64_t utime, EventKind kind, std::vector<std::string> vehicles,
+                    std::string text);
   void CompareAll();
   void OnDelivery(int32_t from, int32_t to, int64_t utime);
   void FindLosses(int64_t utime);
@@ -117,7 +162,13 @@ class EventWatch {
   int64_t nav_utime_ = 0;
   CollisionWatch collisions_;
   GroundingWatch groundings_;
-  std::vector<helm_state_t> helms_;  ///< As they last were.
+  std::vector<helm_state_t> helms_;           ///< As they last were.
+  std::vector<bool> is_deep_;                 ///< Those that dive: they were below the surface.
+  std::vector<std::optional<bool>> has_fix_;  ///< By NAVIGATION; absent: it has not come.
+  std::vector<std::vector<Part>> parts_;      ///< Of each vehicle.
+  std::array<size_t, kNumKindsOfEvents> num_of_kind_ = {};
+  std::vector<ViewEvent> planned_;
+  size_t next_planned_ = 0;
   size_t num_arrivals_ = 0;
   std::vector<std::string> names_;  ///< Of OnFate's numbers.
   std::vector<Pair> pairs_;         ///< Of a < b at b * (b - 1) / 2 + a.

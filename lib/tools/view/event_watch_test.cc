@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+
+#include "lib/mission/model/mission.h"
+#include "lib/run/verdict/mission_verdict.h"
 
 namespace shoal::event_watch_test {
 
@@ -19,6 +23,11 @@ std::vector<EventKind> KindsOf(const EventWatch& watch) {
   std::vector<EventKind> kinds;
   for (const ViewEvent& event : watch.events()) kinds.push_back(event.kind);
   return kinds;
+}
+
+int64_t NumOf(const EventWatch& watch, EventKind kind) {
+  const std::vector<EventKind> kinds = KindsOf(watch);
+  return std::count(kinds.begin(), kinds.end(), kind);
 }
 
 TEST(EventWatch, FindsACollisionOncePerEncounter) {
@@ -114,16 +123,17 @@ helm_state_t HelmAt(int64_t utime, const std::string& state, const std::string& 
 TEST(EventWatch, ReportsAllStopsAndTheirEnd) {
   EventWatch watch = TwoKayaks();
   watch.OnHelm(0, HelmAt(0, "PARK", "never deployed"));
-  watch.OnHelm(0, HelmAt(1 * kSecond, "DRIVE", "clear"));
   EXPECT_TRUE(watch.events().empty()) << "a parked vehicle is no event";
+  watch.OnHelm(0, HelmAt(1 * kSecond, "DRIVE", "clear"));
   watch.OnHelm(0, HelmAt(2 * kSecond, "ALL-STOP", "all_stop command"));
   watch.OnHelm(0, HelmAt(3 * kSecond, "ALL-STOP", "all_stop command"));
   watch.OnHelm(0, HelmAt(4 * kSecond, "DRIVE", "clear"));
   watch.OnHelm(9, HelmAt(4 * kSecond, "ALL-STOP", "not there"));
-  ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kAllStop, EventKind::kCleared}));
-  EXPECT_EQ(watch.events()[0].text, "alpha: by command");
-  EXPECT_EQ(watch.events()[0].utime, 2 * kSecond);
-  EXPECT_EQ(watch.events()[1].vehicles, std::vector<std::string>{"alpha"});
+  ASSERT_EQ(KindsOf(watch),
+            (std::vector{EventKind::kDeployed, EventKind::kAllStop, EventKind::kCleared}));
+  EXPECT_EQ(watch.events()[1].text, "alpha: by command");
+  EXPECT_EQ(watch.events()[1].utime, 2 * kSecond);
+  EXPECT_EQ(watch.events()[2].vehicles, std::vector<std::string>{"alpha"});
 }
 
 TEST(EventWatch, FollowsContactsInEitherDirection) {
@@ -205,32 +215,148 @@ TEST(EventWatch, ReportsEachWaypointThatIsReachedOnce) {
   EventWatch watch = TwoKayaks();
   watch.OnHelm(0, OnLeg(1 * kSecond, 0));
   watch.OnHelm(0, OnLeg(2 * kSecond, 0));
-  EXPECT_TRUE(watch.events().empty()) << "it is on its way";
+  EXPECT_EQ(NumOf(watch, EventKind::kWaypoint), 0) << "it is on its way";
   watch.OnHelm(0, OnLeg(3 * kSecond, 1));
   watch.OnHelm(0, OnLeg(4 * kSecond, 1));
   watch.OnHelm(0, OnLeg(5 * kSecond, 1, 1));
   watch.OnHelm(0, OnLeg(6 * kSecond, 0, 0, "home"));
-  ASSERT_EQ(KindsOf(watch), (std::vector{EventKind::kWaypoint, EventKind::kWaypoint}));
-  EXPECT_EQ(watch.events()[0].text, "alpha: waypoint 1 of survey reached");
-  EXPECT_EQ(watch.events()[0].utime, 3 * kSecond);
-  EXPECT_EQ(watch.events()[1].text, "alpha: waypoint 2 of survey reached") << "it ends the lap";
+  ASSERT_EQ(KindsOf(watch),
+            (std::vector{EventKind::kDeployed, EventKind::kTask, EventKind::kWaypoint,
+                         EventKind::kWaypoint, EventKind::kTask}));
+  EXPECT_EQ(watch.events()[2].text, "alpha: waypoint 1 of survey reached");
+  EXPECT_EQ(watch.events()[2].utime, 3 * kSecond);
+  EXPECT_EQ(watch.events()[3].text, "alpha: waypoint 2 of survey reached") << "it ends the lap";
 }
 
 TEST(EventWatch, LeavesRoomForOtherEventsThanWaypoints) {
   EventWatch watch = TwoKayaks();
   for (int i = 0; i < 6000; ++i) watch.OnHelm(0, OnLeg(i, i));
-  EXPECT_EQ(watch.events().size(), EventWatch::kMaxArrivals);
-  EXPECT_EQ(watch.num_left_out(), 999);
+  EXPECT_EQ(NumOf(watch, EventKind::kWaypoint), static_cast<int64_t>(EventWatch::kMaxArrivals));
+  EXPECT_EQ(watch.num_left_out(), 2999);
 }
 
 TEST(EventWatch, KeepsABoundedNumberOfEvents) {
   EventWatch watch = TwoKayaks();
-  for (int i = 0; i < 6000; ++i) {
+  for (int i = 0; i < 11'000; ++i) {
     watch.OnHelm(0, HelmAt(i, "ALL-STOP", "x"));
     watch.OnHelm(0, HelmAt(i, "DRIVE", "clear"));
   }
   EXPECT_EQ(watch.events().size(), EventWatch::kMaxEvents);
   EXPECT_EQ(watch.num_left_out(), 2000);
+}
+
+TEST(EventWatch, ReportsWhatAHelmBegins) {
+  EventWatch watch = TwoKayaks();
+  watch.OnHelm(0, HelmAt(0, "PARK", "never deployed"));
+  helm_state_t helm = HelmAt(1 * kSecond, "DRIVE", "clear");
+  helm.task = "survey";
+  watch.OnHelm(0, helm);
+  watch.OnHelm(0, helm);
+  helm.utime = 2 * kSecond;
+  helm.task = "home";
+  watch.OnHelm(0, helm);
+  watch.OnHelm(0, HelmAt(3 * kSecond, "PARK", "parked"));
+  ASSERT_EQ(KindsOf(watch), (std::vector<EventKind>{EventKind::kDeployed, EventKind::kTask,
+                                                    EventKind::kTask, EventKind::kParked}));
+  EXPECT_EQ(watch.events()[0].text, "alpha: deployed");
+  EXPECT_EQ(watch.events()[2].text, "alpha: task home");
+}
+
+TEST(EventWatch, ReportsADiverThatComesUp) {
+  EventWatch watch({{.name = "auv", .length_m = 2, .draught_m = 0},
+                    {.name = "boat", .length_m = 3, .draught_m = 0.3}});
+  for (const double z_m : {0.1, 1.0, 0.1, 20.0, 0.3, 0.1}) {
+    watch.OnNav(0, 1 * kSecond, 0, 0, z_m);
+    watch.OnNav(1, 1 * kSecond, 90, 0, z_m);
+  }
+  ASSERT_EQ(KindsOf(watch), std::vector<EventKind>{EventKind::kSurfaced});
+  EXPECT_EQ(watch.events()[0].text, "auv: at the surface");
+}
+
+TEST(EventWatch, ReportsAFixAfterThereWasNone) {
+  EventWatch watch = TwoKayaks();
+  navigation_t navigation{};
+  navigation.has_gps_fix = 1;
+  watch.OnNavigation(0, navigation);
+  EXPECT_TRUE(watch.events().empty()) << "it had one from the start";
+  navigation.has_gps_fix = 0;
+  watch.OnNavigation(0, navigation);
+  navigation.has_gps_fix = 1;
+  watch.OnNavigation(0, navigation);
+  watch.OnNavigation(0, navigation);
+  EXPECT_EQ(KindsOf(watch), std::vector<EventKind>{EventKind::kFix});
+}
+
+TEST(EventWatch, ReportsAPartTowardAContactWhenItChanges) {
+  EventWatch watch = TwoKayaks();
+  helm_decision_t decision{};
+  decision.utime = kSecond;
+  decision.aims.resize(1);
+  decision.aims[0].contact = "bravo";
+  decision.aims[0].role = "stand-on";
+  decision.aims[0].rule = "17";
+  decision.aims[0].range_m = 48.2;
+  watch.OnDecision(0, decision);
+  decision.utime = 2 * kSecond;
+  watch.OnDecision(0, decision);
+  ASSERT_EQ(watch.events().size(), 1U);
+  EXPECT_EQ(watch.events()[0].text, "alpha: stand-on toward bravo (rule 17), 48.2 m");
+  EXPECT_EQ(watch.events()[0].vehicles, (std::vector<std::string>{"alpha", "bravo"}));
+  decision.aims[0].role = "give-way:stern";
+  watch.OnDecision(0, decision);
+  EXPECT_EQ(watch.events().size(), 2U);
+  decision.utime = 90 * kSecond;
+  watch.OnDecision(0, decision);
+  EXPECT_EQ(watch.events().size(), 3U) << "another encounter";
+}
+
+TEST(EventWatch, ReportsWhatBecameOfAMessage) {
+  EventWatch watch = TwoKayaks();
+  FateView fate{.facts = {.utime = kSecond, .number = 3, .kind = Kind::kMessage},
+                .source = "alpha",
+                .destination = "bravo"};
+  watch.OnMessage(0, 1, fate);
+  fate.facts.cause = Cause::kOutOfRange;
+  fate.facts.range_m = 312.4F;
+  fate.facts.limit_m = 250;
+  watch.OnMessage(0, 1, fate);
+  ASSERT_EQ(KindsOf(watch), (std::vector<EventKind>{EventKind::kMessage, EventKind::kMessageLost}));
+  EXPECT_EQ(watch.events()[1].text,
+            "message 3 of alpha to bravo: out of range, 312.4 m of 250.0 m");
+  for (size_t i = 0; i < 2 * EventWatch::kMaxOfKind; ++i) watch.OnMessage(0, 1, fate);
+  EXPECT_LE(watch.events().size(), EventWatch::kMaxOfKind + 1) << "others keep their room";
+  EXPECT_GT(watch.num_left_out(), 0);
+}
+
+TEST(EventWatch, ReportsTheMissionsOwnEventsWhenTheyAreDue) {
+  Mission mission;
+  mission.start_utime = 100 * kSecond;
+  mission.vehicles.emplace_back().name = "alpha";
+  mission.events = {{.at_s = 10, .what = CommandEvent{"alpha", "deploy", "", {}}},
+                    {.at_s = 20, .what = CommandEvent{"all", "all_stop", "", {}}}};
+  EventWatch watch(WatchedVehiclesOf(mission), PlannedEventsOf(mission));
+  watch.OnTime(109 * kSecond);
+  EXPECT_TRUE(watch.events().empty());
+  watch.OnTime(115 * kSecond);
+  ASSERT_EQ(KindsOf(watch), std::vector<EventKind>{EventKind::kMission});
+  EXPECT_EQ(watch.events()[0].utime, 110 * kSecond) << "also where it is noticed later";
+  EXPECT_EQ(watch.events()[0].text, "deploy to alpha");
+  watch.OnTime(500 * kSecond);
+  EXPECT_EQ(watch.events().at(1).text, "all_stop to all");
+  EXPECT_TRUE(watch.events().at(1).vehicles.empty());
+}
+
+TEST(EventsOf, HasEachExpectationAtTheEnd) {
+  const auto events =
+      EventsOf({.result = "FAIL",
+                .end_s = 60,
+                .lines = {{.passed = true, .text = "no two closer", .numbers = "7.2 m"},
+                          {.passed = false, .text = "alpha there", .numbers = "never"}}},
+               100 * kSecond);
+  ASSERT_EQ(events.size(), 2U);
+  EXPECT_EQ(events[0].utime, 160 * kSecond);
+  EXPECT_EQ(events[0].text, "met: no two closer: 7.2 m");
+  EXPECT_EQ(events[1].kind, EventKind::kMissed);
 }
 
 }  // namespace shoal::event_watch_test

@@ -17,7 +17,7 @@ namespace shoal {
 namespace {
 
 /// Another one wherever IndexArchive, or what is worked out of a log, changes.
-constexpr int kViewIndexFormat = 1;
+constexpr int kViewIndexFormat = 2;
 constexpr size_t kMaxIndexText_bytes = 10'000;
 constexpr size_t kMaxIndexVehicles = 5000;
 constexpr size_t kMaxTroubles = 100;
@@ -153,7 +153,7 @@ class IndexArchive {
 
   void One(ViewEvent& event) {
     Within(event.utime, -kLongestLine_us, kLongestLine_us);
-    Choice(event.kind, static_cast<int>(EventKind::kWaypoint) + 1);
+    Choice(event.kind, static_cast<int>(EventKind::kMissed) + 1);
     Each(event.vehicles, 10, 4, [&](std::string& name) { Text(name); });
     Text(event.text);
   }

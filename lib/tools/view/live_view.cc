@@ -13,6 +13,7 @@
 #include "lib/tools/view/links_json.h"
 #include "lib/tools/view/setup_json.h"
 #include "lib/tools/view/vehicle_json.h"
+#include "lib/tools/view/verdict_json.h"
 #include "lib/tools/view/view_limits.h"
 
 namespace shoal {
@@ -36,7 +37,7 @@ LiveView::LiveView(const Mission& mission, std::string boot, std::vector<std::st
     : scene_(mission),
       vehicle_histories_(mission.vehicles.size()),
       trails_(mission.vehicles.size()),
-      events_(WatchedVehiclesOf(mission)) {
+      events_(WatchedVehiclesOf(mission), PlannedEventsOf(mission)) {
   SetupFacts facts{.boot = std::move(boot), .end_s = mission.duration_s, .notes = std::move(notes)};
   const std::string floor = FloorJson(mission, &facts.notes);
   setup_json_ = shoal::SetupJson(mission, facts, floor);
@@ -75,13 +76,17 @@ void LiveView::SetClockGone(std::string_view state) {
   has_clock_ = true;
 }
 
+void LiveView::SetVerdict(MissionVerdict verdict) {
+  const std::lock_guard lock(mutex_);
+  ++num_changes_;
+  verdict_ = std::move(verdict);
+}
+
 std::string LiveView::StreamFrameJson() {
   const std::lock_guard lock(mutex_);
   FrameParts parts = PartsOfNow();
-  parts.pulses = scene_.pulses().Since(pulses_sent_, scene_.now_utime());
-  const size_t num_sent = std::min(parts.pulses.size(), kMaxStreamPulses);
-  parts.pulses_left_out = static_cast<int64_t>(parts.pulses.size() - num_sent);
-  parts.pulses.resize(num_sent);
+  parts.pulses = scene_.pulses().TakeForStream(pulses_sent_, scene_.now_utime(), kMaxStreamPulses,
+                                               &parts.pulses_left_out);
   parts.packets = scene_.packets().Since(packets_sent_, scene_.now_utime());
   pulses_sent_ = scene_.pulses().last_order();
   packets_sent_ = scene_.packets().last_order();
@@ -122,9 +127,18 @@ std::string LiveView::FatesJson(const FateQuery& query, double /*t_s*/) {
   return shoal::FatesJson(fates_, query, scene_);
 }
 
+std::string LiveView::VerdictJson() {
+  const std::lock_guard lock(mutex_);
+  return shoal::VerdictJson(verdict_);
+}
+
 std::string LiveView::EventsJson() {
   const std::lock_guard lock(mutex_);
-  return shoal::EventsJson(events_.events(), scene_.start_utime());
+  if (!verdict_) return shoal::EventsJson(events_.events(), scene_.start_utime());
+  std::vector<ViewEvent> events = events_.events();
+  const std::vector<ViewEvent> last = EventsOf(*verdict_, scene_.start_utime());
+  events.insert(events.end(), last.begin(), last.end());
+  return shoal::EventsJson(events, scene_.start_utime());
 }
 
 Result<std::string> LiveView::LinkJson(std::string_view from, std::string_view to, double /*t_s*/) {
@@ -170,6 +184,14 @@ void LiveView::OnNav(size_t vehicle, const nav_t& nav) {
 
 void LiveView::OnHelm(size_t vehicle, const helm_state_t& helm) { events_.OnHelm(vehicle, helm); }
 
+void LiveView::OnDecision(size_t vehicle, const helm_decision_t& decision) {
+  events_.OnDecision(vehicle, decision);
+}
+
+void LiveView::OnNavigation(size_t vehicle, const navigation_t& navigation) {
+  events_.OnNavigation(vehicle, navigation);
+}
+
 void LiveView::OnReport(size_t vehicle, const ReceivedReport& report) {
   if (trails_.size() <= vehicle) trails_.resize(vehicle + 1);
   if (scene_.vehicles()[vehicle].nav) return;
@@ -186,6 +208,7 @@ void LiveView::OnFate(const FateView& fate, const LinkPlace& place) {
     events_.SetName(number, names.at(number));
   }
   events_.OnFate(place.from, place.to, fate.facts.cause, fate.facts.utime);
+  if (fate.facts.kind == Kind::kMessage) events_.OnMessage(place.from, place.to, fate);
   const auto link = static_cast<size_t>(place.link);
   if (link_histories_.size() <= link) link_histories_.resize(link + 1);
   link_histories_[link].Add(fate.facts, scene_.SecondsOf(fate.facts.utime));
@@ -202,7 +225,7 @@ FrameParts LiveView::PartsOfNow() const {
   FrameParts parts = WholeFrame(scene_);
   parts.clock = clock_;
   parts.commands = commands_;
-  parts.num_events = static_cast<int64_t>(events_.events().size());
+  parts.num_events = static_cast<int64_t>(events_.events().size() + (verdict_ ? 1 : 0));
   return parts;
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@
 #include "lib/bus/bus/channels.h"
 #include "lib/mission/model/mission.h"
 #include "lib/run/orders/command_record.h"
+#include "lib/run/verdict/mission_verdict.h"
 #include "lib/tools/view/event_watch.h"
 #include "lib/tools/view/fate_history.h"
 #include "lib/tools/view/frame_json.h"
@@ -46,6 +48,8 @@ class LiveView : public ViewSource, private SceneObserver {
   void SetCommands(std::vector<CommandRecord> commands);
   /// States that the clock will publish nothing more: "waiting", "ended" or "lost".
   void SetClockGone(std::string_view state);
+  /// Takes the verdict on the mission, which has ended.
+  void SetVerdict(MissionVerdict verdict);
 
   /// Returns the next frame for all clients of the stream: pulses and packets since the last call.
   std::string StreamFrameJson();
@@ -59,12 +63,15 @@ class LiveView : public ViewSource, private SceneObserver {
   Result<std::string> MediumLinksJson(std::string_view medium, double t_s) override;
   std::string FatesJson(const FateQuery& query, double t_s) override;
   std::string EventsJson() override;
+  std::string VerdictJson() override;
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override;
   Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) override;
 
  private:
   void OnNav(size_t vehicle, const nav_t& nav) override;
   void OnHelm(size_t vehicle, const helm_state_t& helm) override;
+  void OnDecision(size_t vehicle, const helm_decision_t& decision) override;
+  void OnNavigation(size_t vehicle, const navigation_t& navigation) override;
   void OnReport(size_t vehicle, const ReceivedReport& report) override;
   void OnFate(const FateView& fate, const LinkPlace& place) override;
   void OnMedium(const FateView& medium) override { fates_.AddMedium(medium); }
@@ -86,6 +93,7 @@ class LiveView : public ViewSource, private SceneObserver {
   std::vector<VehicleHistory> vehicle_histories_;
   std::vector<Trail> trails_;
   EventWatch events_;
+  std::optional<MissionVerdict> verdict_;
   double stale_time_s_ = -2;  ///< The value that events_ uses.
   int64_t pulses_sent_ = 0;   ///< Order of the last that went with a stream's frame.
   int64_t packets_sent_ = 0;

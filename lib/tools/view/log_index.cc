@@ -56,7 +56,7 @@ class IndexBuilder : private SceneObserver {
   IndexBuilder(Scene* scene, const Mission& mission, LogStamps stamps, uint64_t log_size)
       : scene_(*scene),
         stamps_(stamps),
-        watch_(WatchedVehiclesOf(mission)),
+        watch_(WatchedVehiclesOf(mission), PlannedEventsOf(mission)),
         gap_bytes_(std::max(LogIndex::kLeastGap_bytes, log_size / LogIndex::kMaxKeyframes)),
         next_(KeyframeAtStart(scene_)) {
     for (const std::string& channel : Scene::Channels(mission)) {
@@ -178,6 +178,13 @@ class IndexBuilder : private SceneObserver {
 
   void OnHelm(size_t vehicle, const helm_state_t& helm) override { watch_.OnHelm(vehicle, helm); }
 
+  void OnDecision(size_t vehicle, const helm_decision_t& decision) override {
+    watch_.OnDecision(vehicle, decision);
+  }
+  void OnNavigation(size_t vehicle, const navigation_t& navigation) override {
+    watch_.OnNavigation(vehicle, navigation);
+  }
+
   void OnReport(size_t vehicle, const ReceivedReport& report) override {
     if (index_.trails.size() <= vehicle) index_.trails.resize(vehicle + 1);
     if (scene_.vehicles()[vehicle].nav) return;
@@ -196,6 +203,7 @@ class IndexBuilder : private SceneObserver {
       watch_.SetName(number, names.at(number));
     }
     watch_.OnFate(place.from, place.to, fate.facts.cause, fate.facts.utime);
+    if (fate.facts.kind == Kind::kMessage) watch_.OnMessage(place.from, place.to, fate);
   }
 
   /// Puts what the watch has found on the timeline.

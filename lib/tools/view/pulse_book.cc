@@ -113,15 +113,21 @@ std::vector<const ViewPulse*> PulseBook::NotOver(int64_t utime) const {
   return found;
 }
 
-std::vector<const ViewPulse*> PulseBook::Since(int64_t order, int64_t utime) const {
-  std::vector<const ViewPulse*> found;
-  for (const ViewPulse& pulse : pulses_) {
+std::vector<const ViewPulse*> PulseBook::TakeForStream(int64_t order, int64_t utime, size_t most,
+                                                       int64_t* num_left_out) {
+  std::vector<ViewPulse*> found;
+  for (ViewPulse& pulse : pulses_) {
     if (pulse.order > order && IsDrawnAt(pulse, utime)) found.push_back(&pulse);
   }
   std::sort(found.begin(), found.end(), [](const ViewPulse* a, const ViewPulse* b) {
-    return a->of_message != b->of_message ? a->of_message : a->order > b->order;
+    if (a->of_message != b->of_message) return a->of_message;
+    return a->streamed != b->streamed ? a->streamed < b->streamed : a->order > b->order;
   });
-  return found;
+  *num_left_out = static_cast<int64_t>(found.size() - std::min(found.size(), most));
+  found.resize(std::min(found.size(), most));
+  ++num_streamed_;
+  for (ViewPulse* pulse : found) pulse->streamed = num_streamed_;
+  return {found.begin(), found.end()};
 }
 
 ViewPulse* PulseBook::PlaceFor(std::string_view label, bool of_message, int64_t utime) {
@@ -143,6 +149,7 @@ ViewPulse* PulseBook::PlaceFor(std::string_view label, bool of_message, int64_t 
     ++num_left_out_;
     places_.erase(pulses_[place].label);
     places_.emplace(label, place);
+    pulses_[place].streamed = 0;
     return &pulses_[place];
   }
   return nullptr;

@@ -23,6 +23,7 @@ struct ViewPulse {
   float duration_s = 0;
   float fill = 0;
   bool of_message = false;
+  int64_t streamed = 0;  ///< When TakeForStream returned it last; 0: never.
   std::string label;
   std::string color;
 };
@@ -38,8 +39,11 @@ class PulseBook {
 
   /// Returns those that are not over at `utime`, the oldest first.
   std::vector<const ViewPulse*> NotOver(int64_t utime) const;
-  /// Returns those of NotOver with an order > `order`: messages first, then the newest first.
-  std::vector<const ViewPulse*> Since(int64_t order, int64_t utime) const;
+  /// Returns those of NotOver with an order > `order`, at most `most`: messages first, then those
+  /// of the labels that it returned the longest ago, the newest first. So each link is seen now and
+  /// then where there are too many.
+  std::vector<const ViewPulse*> TakeForStream(int64_t order, int64_t utime, size_t most,
+                                              int64_t* num_left_out);
 
   /// The order of the last one added, 0 before the first.
   int64_t last_order() const { return last_order_; }
@@ -65,6 +69,7 @@ class PulseBook {
   int64_t dropped_utime_ = 0;     ///< When those that were over were dropped.
   int64_t last_order_ = 0;
   int64_t last_utime_ = 0;
+  int64_t num_streamed_ = 0;
   int64_t num_left_out_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <set>
 
 #include "lib/tools/view/view_testing.h"
 
@@ -54,11 +55,33 @@ TEST(PulseBook, ReturnsNewMessagesBeforeNewReports) {
   const int64_t order = book.last_order();
   AddPulses(&book, 0,
             {PulseOf("R1", "nrep", 10), PulseOf("M1", "msg", 10), PulseOf("R2", "nrep", 10)});
-  const auto pulses = book.Since(order, 0);
+  int64_t num_left_out = 0;
+  const auto pulses = book.TakeForStream(order, 0, 10, &num_left_out);
   ASSERT_EQ(pulses.size(), 3U);
   EXPECT_EQ(pulses[0]->label, "M1");
   EXPECT_EQ(pulses[1]->label, "R2");
-  EXPECT_TRUE(book.Since(book.last_order(), 0).empty());
+  EXPECT_EQ(num_left_out, 0);
+  EXPECT_TRUE(book.TakeForStream(book.last_order(), 0, 10, &num_left_out).empty());
+}
+
+TEST(PulseBook, StreamsEachLinkNowAndThenWhereThereAreTooMany) {
+  constexpr int kLinks = 100;
+  PulseBook book;
+  std::set<std::string> seen;
+  for (int round = 0; round < 5; ++round) {
+    const int64_t order = book.last_order();
+    std::vector<comms_pulse_t> pulses;
+    for (int i = 0; i < kLinks; ++i) {
+      pulses.push_back(PulseOf("R" + std::to_string(i), "nrep", 10));
+    }
+    AddPulses(&book, round, std::move(pulses));
+    int64_t num_left_out = 0;
+    const auto taken = book.TakeForStream(order, round, 20, &num_left_out);
+    ASSERT_EQ(taken.size(), 20U);
+    EXPECT_EQ(num_left_out, 80);
+    for (const ViewPulse* pulse : taken) seen.insert(pulse->label);
+  }
+  EXPECT_EQ(seen.size(), static_cast<size_t>(kLinks)) << "a chosen one is among them";
 }
 
 TEST(PulseBook, LetsMessagesReplaceReportsWhereThereIsNoRoom) {

@@ -15,6 +15,7 @@
 #include "lib/tools/view/recorded_log.h"
 #include "lib/tools/view/setup_json.h"
 #include "lib/tools/view/vehicle_json.h"
+#include "lib/tools/view/verdict_json.h"
 
 namespace shoal {
 
@@ -77,7 +78,15 @@ Result<std::unique_ptr<RecordedView>> RecordedView::Open(const std::string& path
   if (!log->knows_mission) view->shown_.duration_s = view->end_s();
   view->setup_json_ = view->MakeSetupJson(options.boot, view->notes_);
   view->trails_json_ = shoal::TrailsJson(kept.vehicles, view->index_.trails);
-  view->events_json_ = shoal::EventsJson(view->index_.events, view->blank_.start_utime());
+  const std::optional<MissionVerdict> verdict = VerdictBeside(LogFileOf(path));
+  std::vector<ViewEvent> events = view->index_.events;
+  if (verdict) {
+    for (ViewEvent& event : EventsOf(*verdict, view->blank_.start_utime())) {
+      events.push_back(std::move(event));
+    }
+  }
+  view->events_json_ = shoal::EventsJson(events, view->blank_.start_utime());
+  view->verdict_json_ = shoal::VerdictJson(verdict);
   return view;
 }
 
@@ -143,6 +152,7 @@ std::string RecordedView::SetupJsonWith(const std::string& boot, const std::stri
 std::string RecordedView::SetupJson(bool /*commands*/) { return setup_json_; }
 std::string RecordedView::TrailsJson() { return trails_json_; }
 std::string RecordedView::EventsJson() { return events_json_; }
+std::string RecordedView::VerdictJson() { return verdict_json_; }
 
 std::string RecordedView::FrameJson(double t_s) {
   const int64_t line_us = LineOf(t_s);

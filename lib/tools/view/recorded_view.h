@@ -63,6 +63,7 @@ class RecordedView : public ViewSource {
   /// Of the last FateHistory::kMaxFates.
   std::string FatesJson(const FateQuery& query, double t_s) override;
   std::string EventsJson() override;
+  std::string VerdictJson() override;
   /// Fates and ranges are of the last FateHistory::kMaxFates of all links.
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override;
   Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) override;
@@ -90,6 +91,7 @@ class RecordedView : public ViewSource {
   std::string setup_json_;
   std::string trails_json_;
   std::string events_json_;
+  std::string verdict_json_;
   IdleCursors<SceneCursor> idle_scenes_;
   IdleCursors<FateCursor> idle_fates_;
 };

@@ -123,7 +123,7 @@ void Scene::Handle(std::string_view channel, std::span<const uint8_t> data,
       case Topic::kSwarm:
         return HandleSwarm(place, data);
       case Topic::kShown:
-        return HandleShown(place, known->second.shown, data);
+        return HandleShown(place, known->second.shown, data, observer);
       case Topic::kReport:
         return HandleReport(data, observer);
       case Topic::kFates:
@@ -208,7 +208,8 @@ bool Scene::HandleSwarm(size_t vehicle, std::span<const uint8_t> data) {
   return true;
 }
 
-bool Scene::HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> data) {
+bool Scene::HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> data,
+                        SceneObserver* observer) {
   bool is_understood = false;
   ForEachShownChannel([&]<class Row, size_t kRow>() {
     if (kRow != row) return;
@@ -224,6 +225,9 @@ bool Scene::HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> dat
       place = static_cast<size_t>(found);
     }
     std::get<kRow>(vehicles_[place].shown) = *message;
+    if (observer == nullptr) return;
+    if constexpr (std::is_same_v<Row, ShownDecision>) observer->OnDecision(place, *message);
+    if constexpr (std::is_same_v<Row, ShownNavigation>) observer->OnNavigation(place, *message);
   });
   return is_understood;
 }

@@ -76,6 +76,8 @@ class SceneObserver {
   virtual void OnNav(size_t /*vehicle*/, const nav_t& /*nav*/) {}
   virtual void OnHelm(size_t /*vehicle*/, const helm_state_t& /*helm*/) {}
   virtual void OnReport(size_t /*vehicle*/, const ReceivedReport& /*report*/) {}
+  virtual void OnDecision(size_t /*vehicle*/, const helm_decision_t& /*decision*/) {}
+  virtual void OnNavigation(size_t /*vehicle*/, const navigation_t& /*navigation*/) {}
   virtual void OnFate(const FateView& /*fate*/, const LinkPlace& /*place*/) {}
   /// What COMMS_MEDIA has of a fate that OnFate was called for.
   virtual void OnMedium(const FateView& /*medium*/) {}
@@ -133,6 +135,7 @@ class Scene {
   const LinkBook& links() const { return links_; }
   const MediaLinks& media_links() const { return media_links_; }
   const PulseBook& pulses() const { return pulses_; }
+  PulseBook& pulses() { return pulses_; }
   const PacketBook& packets() const { return packets_; }
   const DrawingBook& drawings() const { return drawings_; }
   double sound_mps() const { return sound_mps_; }
@@ -167,7 +170,8 @@ class Scene {
   // Return false for bytes that are no such message.
   bool HandleNav(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer);
   bool HandleHelm(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer);
-  bool HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> data);
+  bool HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> data,
+                   SceneObserver* observer);
   bool HandleSwarm(size_t vehicle, std::span<const uint8_t> data);
   bool HandleReport(std::span<const uint8_t> data, SceneObserver* observer);
   bool HandleFates(std::span<const uint8_t> data, SceneObserver* observer);

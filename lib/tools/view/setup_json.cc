@@ -9,8 +9,10 @@
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/cause.h"
 #include "lib/comms/routing/control.h"
+#include "lib/helm/behaviors/behavior_outline.h"
 #include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/coverage_area.h"
+#include "lib/mission/model/vehicle_colors.h"
 #include "lib/run/command_line/version.h"
 #include "lib/tools/view/fate_text.h"
 #include "lib/tools/view/json_writer.h"
@@ -29,9 +31,10 @@ void WritePoints(const std::vector<Eigen::Vector2d>& points_m, JsonWriter* json)
   json->EndArray();
 }
 
-void WriteTask(const Task& task, JsonWriter* json) {
-  const TaskOutline outline = FactsOf(task).outline;
-  json->BeginObject().Text("name", task.name).Text("kind", KindOf(task)).Key("points");
+/// A task, or a behavior, which may have several.
+void WriteOutline(std::string_view name, std::string_view kind, const TaskOutline& outline,
+                  JsonWriter* json) {
+  json->BeginObject().Text("name", name).Text("kind", kind).Key("points");
   WritePoints(outline.points_m, json);
   json->Boolean("closed", outline.closed)
       .Number("radius_m", outline.radius_m, kCentimetres)
@@ -53,22 +56,32 @@ void WriteCoverage(const Mission& mission, const CoverageExpectation& coverage, 
   json->EndArray().EndObject();
 }
 
-void WriteVehicle(const Mission& mission, const Vehicle& vehicle, bool knows_models,
+void WriteVehicle(const Mission& mission, const Vehicle& vehicle, uint32_t color, bool knows_models,
                   JsonWriter* json) {
   json->BeginObject()
       .Text("name", vehicle.name)
       .Text("type", vehicle.type)
       .Text("color", vehicle.color)
+      .Text("shown_color", ColorText(color))
       .Text("group", vehicle.group)
       .Number("length_m", vehicle.length_m, kCentimetres)
       .Text("model", knows_models ? FactsOfModel(vehicle.model).name : "")
       .Boolean("in_swarm", mission.SwarmOf(vehicle) != nullptr)
+      .Boolean("has_helm", vehicle.helm != Provider::kNone)
       .Key("start");
   WritePoint({vehicle.start.x_m, vehicle.start.y_m}, json);
   json->Key("return");
   WritePoint(vehicle.return_task.point_m, json);
   json->Key("tasks").BeginArray();
-  for (const Task& task : vehicle.tasks) WriteTask(task, json);
+  for (const Task& task : vehicle.tasks) {
+    WriteOutline(task.name, KindOf(task), FactsOf(task).outline, json);
+  }
+  json->EndArray().Key("behaviors").BeginArray();
+  for (const BehaviorOptions& behavior : vehicle.behaviors) {
+    for (const TaskOutline& outline : OutlinesOf(behavior.what)) {
+      WriteOutline(behavior.name, KindOf(behavior.what), outline, json);
+    }
+  }
   json->EndArray().EndObject();
 }
 
@@ -129,7 +142,9 @@ SampleGrid GridOver(const Eigen::AlignedBox2d& area_m) {
   }
 }
 
-/// Returns the area of starts, points and op_area, with a margin.
+/// Returns the area of what is planned and of op_area, with a margin. A vehicle without a plan, a
+/// shore station for one, adds to it where it begins no farther beside it than it reaches: a
+/// larger grid is a coarser one.
 Eigen::AlignedBox2d AreaOf(const Mission& mission) {
   constexpr double kLeastMargin_m = 100;
   constexpr double kMarginPerSide = 0.2;
@@ -141,14 +156,30 @@ Eigen::AlignedBox2d AreaOf(const Mission& mission) {
   for (const Obstacle& obstacle : mission.obstacles) {
     for (const Eigen::Vector2d& corner_m : obstacle.polygon_m) add(corner_m);
   }
+  std::vector<Eigen::Vector2d> still_m;
   for (const Vehicle& vehicle : mission.vehicles) {
-    add({vehicle.start.x_m, vehicle.start.y_m});
+    const Eigen::Vector2d start_m(vehicle.start.x_m, vehicle.start.y_m);
+    if (vehicle.tasks.empty() && vehicle.behaviors.empty()) {
+      still_m.push_back(start_m);
+      continue;
+    }
+    add(start_m);
     add(vehicle.return_task.point_m);
-    for (const Task& task : vehicle.tasks) {
-      const TaskOutline outline = FactsOf(task).outline;
+    const auto add_outline = [&](const TaskOutline& outline) {
       for (const Eigen::Vector2d& point_m : outline.points_m) add(point_m);
       for (const Eigen::Vector2d& corner_m : outline.area_m) add(corner_m);
+    };
+    for (const Task& task : vehicle.tasks) add_outline(FactsOf(task).outline);
+    for (const BehaviorOptions& behavior : vehicle.behaviors) {
+      for (const TaskOutline& outline : OutlinesOf(behavior.what)) add_outline(outline);
     }
+  }
+  const Eigen::AlignedBox2d planned_m = area_m;
+  for (const Eigen::Vector2d& point_m : still_m) {
+    const bool is_near =
+        planned_m.isEmpty() || planned_m.exteriorDistance(point_m) <=
+                                   std::max(kLeastMargin_m, planned_m.sizes().maxCoeff());
+    if (is_near) add(point_m);
   }
   if (area_m.isEmpty()) area_m.extend(Eigen::Vector2d(0, 0));
   const double margin_m = std::max(kLeastMargin_m, kMarginPerSide * area_m.sizes().maxCoeff());
@@ -189,8 +220,11 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
     json.EndObject();
   }
   json.EndArray().Key("vehicles").BeginArray();
-  for (const Vehicle& vehicle : mission.vehicles) {
-    WriteVehicle(mission, vehicle, facts.knows_models, &json);
+  std::vector<std::string> requested;
+  for (const Vehicle& vehicle : mission.vehicles) requested.push_back(vehicle.color);
+  const std::vector<uint32_t> colors = ChooseColors(requested);
+  for (size_t i = 0; i < mission.vehicles.size(); ++i) {
+    WriteVehicle(mission, mission.vehicles[i], colors[i], facts.knows_models, &json);
   }
   json.EndArray().Key("coverage").BeginArray();
   for (const Expectation& expectation : mission.expectations) {

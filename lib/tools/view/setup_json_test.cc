@@ -44,6 +44,49 @@ json SetupOf(const Mission& mission, const SetupFacts& facts = {}) {
   return json::parse(SetupJson(mission, with_notes, floor));
 }
 
+TEST(SetupJson, GivesVehiclesOfOneColourDifferentOnes) {
+  Mission mission = MissionOf({"alpha", "bravo", "charlie"});
+  mission.vehicles[0].color = "yellow";
+  mission.vehicles[1].color = "yellow";
+  mission.vehicles[2].color = "dodgerblue";
+  const json vehicles = SetupOf(mission)["vehicles"];
+  EXPECT_EQ(vehicles[0]["shown_color"], "#ffff00");
+  EXPECT_EQ(vehicles[1]["color"], "yellow") << "what the file has";
+  EXPECT_NE(vehicles[1]["shown_color"], "#ffff00");
+  EXPECT_EQ(vehicles[2]["shown_color"], "#1e90ff");
+}
+
+TEST(SetupJson, HasWhatBehaviorsAreAbout) {
+  Mission mission = MissionOf({"alpha"});
+  mission.vehicles[0].behaviors = {
+      {.name = "there", .what = WaypointOptions{.points = {{5000, 0}, {5000, 60}}}},
+      {.name = "fence",
+       .what = OpRegionOptions{.core_poly = {{0, 0}, {9, 0}, {9, 9}},
+                               .halt_poly = {{-1, -1}, {12, -1}, {12, 12}}}},
+      {.name = "slow", .what = ConstantSpeedOptions{}}};
+  const json behaviors = SetupOf(mission)["vehicles"][0]["behaviors"];
+  ASSERT_EQ(behaviors.size(), 3u);
+  EXPECT_EQ(behaviors[0]["name"], "there");
+  EXPECT_EQ(behaviors[0]["kind"], "waypoint");
+  EXPECT_EQ(behaviors[0]["points"], (json{{5000, 0}, {5000, 60}}));
+  EXPECT_EQ(behaviors[1]["area"], (json{{0, 0}, {9, 0}, {9, 9}}));
+  EXPECT_EQ(behaviors[2]["name"], "fence") << "each of its zones";
+}
+
+TEST(FloorJson, LeavesOutAShoreStationFarAway) {
+  Mission mission = MissionOf({"alpha", "shore"});
+  mission.environment.floor.style = "linear";
+  mission.environment.floor.depth_m = 80;
+  mission.vehicles[0].tasks = {{"go", WaypointsTask{.points_m = {{0, 0}, {600, 600}}}}};
+  mission.vehicles[1].start = {.x_m = 400, .y_m = -9000};
+  std::vector<std::string> notes;
+  const json floor = json::parse(FloorJson(mission, &notes));
+  EXPECT_LE(floor["step_m"], 10) << "not the 100 m that 9 km would need";
+  mission.vehicles[1].start = {.x_m = 400, .y_m = -300};
+  const json near = json::parse(FloorJson(mission, &notes));
+  EXPECT_LE(near["y0"], -300);
+}
+
 TEST(SetupJson, HasTheTablesOfCausesAndOfRulesThatCanChange) {
   const json setup = SetupOf(SurveyMission());
   ASSERT_EQ(setup["causes"].size(), static_cast<size_t>(kNumCauses));

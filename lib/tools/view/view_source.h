@@ -37,6 +37,8 @@ class ViewSource {
   virtual Result<std::string> MediumLinksJson(std::string_view medium, double t_s) = 0;
   virtual std::string FatesJson(const FateQuery& query, double t_s) = 0;
   virtual std::string EventsJson() = 0;
+  /// What became of the mission's expectations; null while it runs, and where it is not known.
+  virtual std::string VerdictJson() = 0;
   /// The error names a vehicle that is not in the mission.
   virtual Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) = 0;
   virtual Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) = 0;

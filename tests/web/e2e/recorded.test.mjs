@@ -98,6 +98,42 @@ test('an event is shown where it happened', async () => {
   }));
 });
 
+test('events have what happened, chosen by kind and vehicle, and so have the marks', async () => {
+  await page.click('[data-tab=events]');
+  const kinds = () => page.locator('#events li').evaluateAll((found) =>
+    [...new Set(found.map((row) => row.dataset.kind))].sort());
+  const marks = () => page.locator('#timeline .marks button').count();
+  for (const kind of ['deployed', 'task', 'waypoint', 'mission', 'first_contact']) {
+    assert.ok((await kinds()).includes(kind), `${kind} of ${await kinds()}`);
+  }
+  const all = await marks();
+  await page.selectOption('#events-group', 'mission');
+  assert.deepEqual(await kinds(), ['met', 'mission'], 'its events, and the verdict of the run');
+  assert.ok(await marks() < all);
+  await page.selectOption('#events-group', 'course');
+  await page.selectOption('#events-vehicle', 'bravo');
+  const texts = await page.locator('#events li').allTextContents();
+  assert.ok(texts.length > 0 && texts.every((text) => text.includes('bravo')), texts.join('|'));
+  await page.fill('#events-text', 'task');
+  await until('the search', async () => (await kinds()).join() === 'task');
+  const row = page.locator('#events li button').first();
+  await row.click();
+  await until('its time', async () => await time() > 0);
+  await page.fill('#events-text', '');
+  await page.selectOption('#events-group', 'all');
+  await page.selectOption('#events-vehicle', '');
+});
+
+test('on a phone time line and tabs are within the screen, and nothing of the table is cut', async () => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  for (const part of ['#timeline-position', '#timeline-time', '#tab-commands', '#tools > button:last-child']) {
+    const box = await page.locator(part).boundingBox();
+    assert.ok(box && box.x >= 0 && box.x + box.width <= 390 && box.y + box.height <= 844,
+      `${part}: ${JSON.stringify(box)}`);
+  }
+  await page.setViewportSize({ width: 1280, height: 720 });
+});
+
 test('the matrix is that of the moment', async () => {
   await page.click('[data-tab=comms]');
   await scrub(120);

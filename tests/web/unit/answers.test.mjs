@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import {test} from 'node:test';
 
-import {tidyEvents, tidyFrame, tidySetup} from '../../../web/net/answers.js';
+import {tidyEvents, tidyFrame, tidySetup, withoutMissingHelms} from '../../../web/net/answers.js';
 
 const kNonsense = [null, undefined, 7, 'x', [], {}, NaN, {t: 'x', vehicles: []}, {t: 1}];
 
@@ -15,6 +15,12 @@ test('a frame has vehicles with names, each once, and at most a thousand', () =>
   assert.deepEqual([frame.clock, frame.commands], [{}, []]);
   const many = Array.from({length: 5000}, (_, i) => ({name: `v${i}`}));
   assert.equal(tidyFrame({t: 1, vehicles: many}).vehicles.length, 1000);
+});
+
+test('a buoy or a station does not complain about the helm that it is not to have', () => {
+  const setup = {vehicles: [{name: 'buoy', has_helm: false}, {name: 'alpha', has_helm: true}]};
+  const vehicles = ['buoy', 'alpha'].map((name) => ({name, mode: 'NOHELM-EVER'}));
+  assert.deepEqual(withoutMissingHelms(vehicles, setup).map(({mode}) => mode), ['', 'NOHELM-EVER']);
 });
 
 test('a good frame stays as it is', () => {

@@ -147,10 +147,25 @@ test('what is fitted into the picture lies clear of its edges and of the scale b
   assert.ok(tiny.metresPerPixel > 0 && Number.isFinite(tiny.cy));
 });
 
+test('what is planned and what moved is shown, not a shore station far away', () => {
+  const setup = {vehicles: [
+    {name: 'boat', start: [0, 0], behaviors: [{name: 'go', points: [[600, 0], [600, 400]]}]},
+    {name: 'driven', start: [0, -50]},
+    {name: 'buoy', start: [700, 0]},
+    {name: 'shore', start: [400, -9000]}]};
+  const now = setup.vehicles.map(({name, start: [x, y]}) => ({name, x, y}));
+  assert.deepEqual(placesToFit(setup, now), {left: 0, right: 700, bottom: -50, top: 400});
+  const trail = {x: [0, 0], y: [-50, -500], count: 2};
+  assert.equal(placesToFit(setup, now, (name) => (name === 'driven' ? trail : null)).bottom, -500);
+  assert.equal(placesToFit({vehicles: [setup.vehicles[3]]}, [now[3]]).bottom, -9000,
+               'where there is nothing else it is all');
+});
+
 test('the whole mission takes in vehicles, tasks with their radius, and the op area', () => {
   const setup = {op_area: [[0, 0], [400, -300]],
-    vehicles: [{start: [-5, 0], tasks: [{points: [[0, 100]], radius_m: 30}]}, null, {tasks: 7}]};
-  assert.deepEqual(placesToFit(setup, [{x: 900, y: null}, {x: 500, y: 0}]),
+    vehicles: [{name: 'a', start: [-5, 0], tasks: [{points: [[0, 100]], radius_m: 30}]}, null,
+      {tasks: 7}]};
+  assert.deepEqual(placesToFit(setup, [{name: 'a', x: 900, y: null}, {name: 'b', x: 500, y: 0}]),
                    {left: -30, right: 500, bottom: -300, top: 130});
   assert.equal(placesToFit({}, []), null);
   const alone = placesToFit({}, [{x: 1, y: 1}]);

@@ -7,9 +7,10 @@ import {
 import {labelLines, placeLabels} from '../../../web/map/draw_labels.js';
 import {Camera} from '../../../web/map/map_camera.js';
 import {coverageOf, surveysOf} from '../../../web/map/map_painter.js';
-import {presentTask, rangesOf, tasksKey} from '../../../web/map/draw_tasks.js';
+import {activeNames, drawTasks, rangesOf, tasksKey} from '../../../web/map/draw_tasks.js';
 import {drawSwaths} from '../../../web/map/draw_trails.js';
 import {drawBelieved, drawnLength, hullOf, isStopped} from '../../../web/map/draw_vehicles.js';
+import {choosePulses} from '../../../web/map/draw_signals.js';
 
 const size = (width, height = 20) => ({width, height});
 const item = (x, y, more = {}) => ({x, y, radius: 10, sizes: [size(100, 35), size(40)], ...more});
@@ -22,6 +23,18 @@ function overlaps(a, b) {
 
 test('a label with room stands to the right, in full', () => {
   assert.deepEqual(placeLabels([item(100, 100)]), [{form: 0, side: 0, x: 112, y: 82.5}]);
+});
+
+test('a label keeps clear of a wreck or a small loiter, on a leader line where it must', () => {
+  const beside = {x: 100, y: 60, width: 120, height: 80};
+  const [moved] = placeLabels([item(100, 100)], 800, 600, [beside]);
+  assert.ok(moved.side !== 0, 'not over it');
+  const around = {x: 80, y: 75, width: 50, height: 50};
+  const [led] = placeLabels([item(100, 100)], 800, 600, [around]);
+  assert.ok(led.side >= 4, `a leader line: ${led.side}`);
+  const everywhere = {x: 0, y: 0, width: 800, height: 600};
+  assert.ok(placeLabels([item(100, 100)], 800, 600, [everywhere])[0].side < 4,
+            'where there is no room it stands beside its vehicle');
 });
 
 test('labels never overlap, and where it is crowded some are shortened or left out', () => {
@@ -107,13 +120,56 @@ test('how far a vehicle sends and receives follows the rules in force', () => {
   assert.equal(rangesOf(null, 'bravo').sends_m, null);
 });
 
-test('the present task is the one that the helm names', () => {
-  const tasks = new Map([['alpha', [{name: 'a'}, {name: 'b'}]]]);
-  assert.equal(presentTask({name: 'alpha', helm: {task: 'b'}}, tasks).name, 'b');
-  assert.equal(presentTask({name: 'alpha', helm: {task: ''}}, tasks), null);
-  assert.equal(presentTask({name: 'bravo', helm: {task: 'a'}}, tasks), null);
-  const at = (waypoint) => tasksKey([{helm: {task: 'a', waypoint}}], 'alpha');
+test('a vehicle is at the task of its helm and at what took part in its last decision', () => {
+  const decision = {t: 10, aims: [{name: 'fence'}, {name: 'survey'}]};
+  assert.deepEqual([...activeNames({helm: {task: 'b'}}, 10)], ['b']);
+  assert.deepEqual([...activeNames({helm: {task: '', state: 'DRIVE'}, decision}, 11)],
+                   ['fence', 'survey']);
+  assert.equal(activeNames({decision}, 20).size, 0, 'it decides no longer');
+  assert.equal(activeNames({helm: {task: 'b', state: 'PARK'}}, 0).size, 0, 'it has not begun');
+  const at = (waypoint) => tasksKey([{helm: {task: 'a', waypoint}}], 'alpha', 0);
   assert.notEqual(at(1), at(2));
+  assert.notEqual(tasksKey([{decision}], null, 10), tasksKey([{decision}], null, 20));
+});
+
+test('the whole plan is drawn, dimmed before and after it is active', () => {
+  const part = (name, x) => ({name, points: [[x, 0], [x, 10]], area: []});
+  const region = {name: 'fence', points: [], area: [[-40, -40], [40, -40], [40, 40]]};
+  const plan = new Map([['alpha', [part('first', 10), part('second', 20), region]]]);
+  const strokesAt = (helm, decision) => {
+    const strokes = [];
+    const ctx = {globalAlpha: 1, setLineDash() {}, beginPath() { this.x = []; },
+      moveTo(x) { this.x.push(x); }, lineTo() {}, arc() {}, fill() {},
+      stroke() { strokes.push([this.x[0], this.globalAlpha]); }};
+    drawTasks(ctx, new Camera(100, 100), {light: true},
+              [{name: 'alpha', color: 'red', helm, decision}], plan, null, 5);
+    return new Map(strokes);
+  };
+  const atStart = strokesAt(null, null);
+  assert.deepEqual([...atStart.keys()].sort(), [10, 60, 70], 'two tasks and a region');
+  assert.ok([...atStart.values()].every((opacity) => opacity < 0.4), 'planned, not begun');
+  const later = strokesAt({state: 'DRIVE', task: 'second', waypoint: 0},
+                          {t: 5, aims: [{name: 'fence'}]});
+  assert.ok(later.get(60) < 0.4, 'the first is done, and still to be seen');
+  assert.ok(later.get(70) > 0.8 && later.get(10) >= 0.8, 'the second and the region are active');
+});
+
+test('few pulses are beams, many are thin lines, thinned; the chosen ones stand out', () => {
+  const links = (count) => Array.from({length: count}, (_, i) => ({id: i, label: `A${i}2B${i}`}));
+  const nothing = () => false;
+  assert.equal(choosePulses(links(6), 'auto', nothing).beams.length, 6);
+  const many = choosePulses(links(60), 'auto', nothing);
+  assert.deepEqual([many.beams.length, many.lines.length], [0, 60]);
+  const crowd = choosePulses(links(3000), 'auto', ({id}) => id === 7);
+  assert.ok(crowd.lines.length < 120, 'thinned');
+  assert.deepEqual(crowd.beams.map(({id}) => id), [7], 'still there for a chosen vehicle');
+  const again = choosePulses(links(3000).reverse(), 'auto', ({id}) => id === 7);
+  assert.deepEqual(new Set(again.lines.map(({id}) => id)), new Set(crowd.lines.map(({id}) => id)),
+                   'the same links from picture to picture');
+  assert.equal(choosePulses(links(3000), 'lines', nothing).lines.length, 3000);
+  assert.equal(choosePulses(links(3000), 'beams', nothing).beams.length, 3000);
+  const chosen = choosePulses(links(3000), 'chosen', ({id}) => id < 40);
+  assert.deepEqual([chosen.beams.length, chosen.lines.length, chosen.chosen.length], [0, 0, 40]);
 });
 
 test('colours are known however MOOS writes them', () => {
@@ -137,6 +193,7 @@ const contrast = (a, b) => {
 test('every colour can be seen on its ground', () => {
   const colors = ['black', 'navy', 'white', 'yellow', 'red', 'midnightblue', 'ivory', '#777', ''];
   for (const color of colors) {
+    setVehicles([]);
     assert.ok(contrast(parseColor(vehicleColor('a', color, false)), 0x0b1622) >= 3, color);
     assert.ok(contrast(parseColor(vehicleColor('a', color, true)), 0xf2f6f9) >= 2.8, color);
   }
@@ -146,14 +203,16 @@ test('every colour can be seen on its ground', () => {
 });
 
 test('a colour that can be seen is left as it is', () => {
+  setVehicles([]);
   assert.equal(vehicleColor('a', 'orange', false), '#ffa500');
-  assert.equal(vehicleColor('a', 'firebrick', true), '#b22222');
+  assert.equal(vehicleColor('b', 'firebrick', true), '#b22222');
 });
 
-test('a vehicle without a colour has one by its name, always the same', () => {
+test('a vehicle without a colour has one, always the same', () => {
+  setVehicles([]);
   assert.equal(vehicleColor('alpha', '', false), vehicleColor('alpha', undefined, false));
   const colors = new Set(Array.from({length: 40}, (_, i) => vehicleColor(`v${i}`, '', false)));
-  assert.ok(colors.size >= 6);
+  assert.equal(colors.size, 40);
 });
 
 test('kinds have colours of their own, unknown ones too', () => {
@@ -164,20 +223,26 @@ test('kinds have colours of their own, unknown ones too', () => {
   }
 });
 
-test('a colour that more than three vehicles ask for is replaced by ones that differ', () => {
-  const named = (color, ...names) => names.map((name) => ({name, color}));
-  const few = chosenColors([...named('red', 'a', 'b', 'c'), ...named('lime', 'd')]);
-  assert.equal(few.size, 0);
-  const many = chosenColors([...named('yellow', 'a', 'b', 'c', 'd'), ...named('red', 'e')]);
-  assert.deepEqual([...many.keys()], ['a', 'b', 'c', 'd']);
-  assert.equal(new Set(many.values()).size, 4);
-  assert.equal(chosenColors(named('no such colour', 'a')).size, 1);
+test('two vehicles that ask for one colour have different ones, those of the plots', () => {
+  const vehicles = [{name: 'a', color: 'yellow', shown_color: '#ffff00'},
+    {name: 'b', color: 'yellow', shown_color: '#1f77b4'}];
+  assert.deepEqual([...chosenColors(vehicles)], [['a', 0xffff00], ['b', 0x1f77b4]]);
+  setVehicles(vehicles);
+  assert.notEqual(vehicleColor('a', 'yellow', false), vehicleColor('b', 'yellow', false));
+});
+
+test('a vehicle that came later gets a colour that no other has, and keeps it', () => {
+  setVehicles([{name: 'a', color: 'yellow', shown_color: '#ffff00'}]);
+  const first = vehicleColor('late', 'yellow', false);
+  assert.notEqual(first, vehicleColor('a', 'yellow', false));
+  assert.notEqual(vehicleColor('later', 'yellow', false), first);
+  assert.equal(vehicleColor('late', 'yellow', false), first);
   const hundred = Array.from({length: 100}, (_, i) => ({name: `boat_${i}`, color: 'yellow'}));
   setVehicles(hundred);
   const colors = new Set(hundred.map(({name, color}) => vehicleColor(name, color, false)));
   assert.ok(colors.size > 90, `${colors.size} colours`);
-  setVehicles([]);
-  assert.equal(vehicleColor('boat_1', 'yellow', false), vehicleColor('boat_2', 'yellow', false));
+  setVehicles([{name: 'x', shown_color: 'red; background: url(x)'}, {name: 'y', shown_color: 3}]);
+  assert.match(vehicleColor('x', '', false), /^#[0-9a-f]{6}$/);
 });
 
 test('what sensors covered is drawn as broad as they see, for the vehicles that count', () => {

@@ -11,6 +11,34 @@ import {contactWords} from '../../../web/panels/panel_swarm.js';
 import {alarmsOf, modeOf, reportAge, shortMode} from '../../../web/panels/panel_vehicle.js';
 import {marksOf} from '../../../web/page/timeline.js';
 import {bannerWords, clockWords} from '../../../web/page/top_bar.js';
+import {chosenEvents, kEventGroups} from '../../../web/panels/panel_events.js';
+import {marginWords, resultWords, tidyVerdict} from '../../../web/panels/verdict.js';
+
+test('a verdict has the number and the margin of every expectation', () => {
+  assert.equal(marginWords({passed: true, margin: 2.25, unit: 'm'}), 'margin 2.25 m');
+  assert.equal(marginWords({passed: false, margin: -12, unit: 's'}), 'missed by 12 s');
+  assert.equal(marginWords({passed: true, margin: null}), '');
+  assert.equal(resultWords({result: 'PASS', why: ''}), 'ended: PASS');
+  assert.equal(resultWords({result: 'FAIL', why: '1 collision'}), 'ended: FAIL: 1 collision');
+  for (const answer of [null, {}, {verdict: 7}, {verdict: {result: 3}}]) {
+    assert.equal(tidyVerdict(answer), null);
+  }
+  assert.deepEqual(tidyVerdict({verdict: {result: 'PASS', expectations: [1, {text: 'a'}]}})
+    .expectations, [{text: 'a'}]);
+});
+
+test('events are chosen by kind, vehicle and words', () => {
+  const events = [{kind: 'task', vehicles: ['alpha'], text: 'alpha: task survey'},
+    {kind: 'message_lost', vehicles: ['alpha', 'bravo'], text: 'message 3: out of range'},
+    {kind: 'collision', vehicles: ['bravo'], text: 'bravo'}];
+  const kinds = (choice) => chosenEvents(events, choice).map(({kind}) => kind);
+  assert.deepEqual(kinds({group: 'all', vehicle: '', text: ''}).length, 3);
+  assert.deepEqual(kinds({group: 'messages', vehicle: '', text: ''}), ['message_lost']);
+  assert.deepEqual(kinds({group: 'all', vehicle: 'bravo', text: ''}), ['message_lost', 'collision']);
+  assert.deepEqual(kinds({group: 'all', vehicle: '', text: ' SURVEY'}), ['task']);
+  assert.deepEqual(kinds({group: 'no such', vehicle: '', text: 'message lost'}), ['message_lost']);
+  assert.ok(kEventGroups.every(([, , list]) => list === null || list.length > 0));
+});
 
 test('a chart gets columns as long as its times, which grow, whatever came', () => {
   assert.deepEqual(cleanColumns([1, 1, 0, 2, NaN, 3], [[5, 6, 7, null], 'nonsense']),

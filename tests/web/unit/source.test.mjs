@@ -80,6 +80,22 @@ test('silence shows within three seconds, and the page comes back by itself', {s
   assert.deepEqual(received.frames, [1, 4]);
 });
 
+test('a stream that ends and begins again shows no lost connection', {skip}, async (timers) => {
+  timers.mock.timers.enable({apis: ['setTimeout', 'setInterval']});
+  const viewer = fakeViewer();
+  const {received} = listen(viewer, timers);
+  viewer.streams[0].onText(JSON.stringify(frameAt(1)));
+  viewer.streams[0].onFailure();
+  await settle();
+  assert.equal(viewer.streams.length, 2);
+  viewer.streams[1].onText(JSON.stringify(frameAt(2)));
+  assert.deepEqual(received.states, ['live']);
+  viewer.isDown = true;
+  viewer.streams[1].onFailure();
+  await settle();
+  assert.equal(received.states.at(-1), 'lost', 'where it does not begin again it is lost');
+});
+
 test('a viewer that was started again is asked everything again', {skip}, async (timers) => {
   timers.mock.timers.enable({apis: ['setTimeout', 'setInterval']});
   const viewer = fakeViewer();

@@ -10,6 +10,7 @@ test('what is written is read again', () => {
     x: 12.5, y: -150, metresPerPixel: 0.5, follow: 'alpha', select: 'bravo', from: 'alpha',
     to: 'bravo', layers: {trails: true, names: false, grid: true}, tab: 'comms', t: 93.5,
     theme: 'light', plots: [['NAV_ALPHA:x_m', 'NAV_BRAVO:x_m'], ['A:b']],
+    pulses: 'lines',
   };
   assert.deepEqual(readHash(writeHash(state), kLayers), state);
 });
@@ -40,8 +41,8 @@ test('numbers that are none, too large or not positive are left out', () => {
 
 test('unknown tabs, themes and layers and giant texts are left out', () => {
   const state = readHash(
-    `#tab=__proto__&theme=pink&layers=nonsense&follow=${'a'.repeat(65)}`, kLayers);
-  assert.deepEqual([state.tab, state.theme, state.follow], [null, null, null]);
+    `#tab=__proto__&theme=pink&pulses=all&layers=nonsense&follow=${'a'.repeat(65)}`, kLayers);
+  assert.deepEqual([state.tab, state.theme, state.follow, state.pulses], [null, null, null, null]);
   assert.deepEqual(state.layers, {trails: false, names: false, grid: false});
   assert.equal(readHash(`#follow=${'a'.repeat(1e6)}`, kLayers).follow, null);
 });

@@ -1,4 +1,4 @@
-#include "lib/tools/plot/plot_colors.h"
+#include "lib/mission/model/vehicle_colors.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/text/letters.h"
 
 namespace shoal {
@@ -173,11 +174,11 @@ Rgb RgbOf(uint32_t color) {
   return {((color >> 16) & 0xff) / 255.0, ((color >> 8) & 0xff) / 255.0, (color & 0xff) / 255.0};
 }
 
-std::string TextOf(const Rgb& rgb) {
+uint32_t ValueOf(const Rgb& rgb) {
   const auto byte = [](double value) {
-    return static_cast<int>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
+    return static_cast<uint32_t>(std::lround(std::clamp(value, 0.0, 1.0) * 255));
   };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(rgb[0]), byte(rgb[1]), byte(rgb[2]));
+  return byte(rgb[0]) << 16 | byte(rgb[1]) << 8 | byte(rgb[2]);
 }
 
 /// How light it looks, from 0 to 1 (Rec. 709 weights, without undoing gamma).
@@ -190,6 +191,36 @@ Rgb DarkEnough(Rgb rgb) {
   for (double& part : rgb) part *= kLightest / lightness;
   return rgb;
 }
+
+/// Returns the relative luminance, 0 to 1 (WCAG 2).
+double Luminance(const Rgb& rgb) {
+  const auto linear = [](double part) {
+    return part <= 0.04045 ? part / 12.92 : Pow((part + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(rgb[0]) + 0.7152 * linear(rgb[1]) + 0.0722 * linear(rgb[2]);
+}
+
+/// Mixes with white as the viewer does, to be seen on its dark ground (web, readable()).
+Rgb LightEnough(const Rgb& rgb) {
+  constexpr double kDarkest = 0.2;
+  Rgb mixed = rgb;
+  for (double amount = 0; amount <= 1 && Luminance(mixed) < kDarkest; amount += 0.04) {
+    for (size_t i = 0; i < 3; ++i) mixed[i] = rgb[i] + (1 - rgb[i]) * amount;
+  }
+  return mixed;
+}
+
+double Distance(const Rgb& a, const Rgb& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
+
+/// A colour as it is on white paper and on the viewer's dark ground.
+struct SeenColor {
+  Rgb on_paper;
+  Rgb on_dark;
+};
+
+SeenColor SeenOf(const Rgb& rgb) { return {DarkEnough(rgb), LightEnough(rgb)}; }
 
 /// The colours of `kPalette` first, then ones around the wheel by the golden ratio.
 Rgb PaletteColor(size_t index) {
@@ -210,18 +241,24 @@ constexpr double kAlike = 0.36;
 
 /// Returns the first colour of the palette that differs by `least_difference` from all taken, which
 /// is lowered where there is none.
-Rgb NextColor(const std::vector<Rgb>& taken, double* least_difference) {
+Rgb NextColor(const std::vector<SeenColor>& taken, double* least_difference) {
   constexpr size_t kNumCandidates = 100;
   constexpr double kSmallest = 0.02;  // Below, two colours look the same.
-  const auto differs = [&](const Rgb& color) {
-    return std::none_of(taken.begin(), taken.end(), [&](const Rgb& other) {
-      return std::hypot(color[0] - other[0], color[1] - other[1], color[2] - other[2]) <
-             *least_difference;
-    });
-  };
+  // How near the nearest of all taken is, on that ground where it is nearer. On the dark one, where
+  // colours are lighter, they may be somewhat nearer.
+  constexpr double kOnDark = 1.3;
+  std::array<double, kNumCandidates> nearest;
+  for (size_t i = 0; i < kNumCandidates; ++i) {
+    const SeenColor seen = SeenOf(PaletteColor(i));
+    nearest.at(i) = 2;
+    for (const SeenColor& other : taken) {
+      nearest.at(i) = std::min({nearest.at(i), Distance(seen.on_paper, other.on_paper),
+                                kOnDark * Distance(seen.on_dark, other.on_dark)});
+    }
+  }
   for (; *least_difference > kSmallest; *least_difference *= 0.85) {
     for (size_t i = 0; i < kNumCandidates; ++i) {
-      if (differs(PaletteColor(i))) return PaletteColor(i);
+      if (nearest.at(i) >= *least_difference) return PaletteColor(i);
     }
   }
   return PaletteColor(taken.size());
@@ -260,26 +297,40 @@ std::optional<uint32_t> ColorOf(std::string_view name) {
   return HexColor(plain);
 }
 
-std::vector<std::string> AssignColors(const std::vector<std::string>& requested) {
-  std::vector<std::optional<Rgb>> given(requested.size());
-  std::vector<Rgb> taken;
+std::vector<uint32_t> ChooseColors(const std::vector<std::string>& requested) {
+  std::vector<std::optional<uint32_t>> given(requested.size());
+  std::vector<SeenColor> taken;
   std::set<uint32_t> requested_before;
   for (size_t i = 0; i < requested.size(); ++i) {
     const auto color = ColorOf(requested[i]);
     if (!color || !requested_before.insert(*color).second) continue;
-    given[i] = DarkEnough(RgbOf(*color));
-    taken.push_back(*given[i]);
+    given[i] = color;
+    taken.push_back(SeenOf(RgbOf(*color)));
   }
   double least_difference = kAlike;
-  for (std::optional<Rgb>& color : given) {
-    if (color) continue;
-    color = NextColor(taken, &least_difference);
-    taken.push_back(*color);
+  std::vector<uint32_t> chosen;
+  chosen.reserve(given.size());
+  for (const std::optional<uint32_t>& color : given) {
+    if (color) {
+      chosen.push_back(*color);
+      continue;
+    }
+    const Rgb next = NextColor(taken, &least_difference);
+    taken.push_back(SeenOf(next));
+    chosen.push_back(ValueOf(next));
   }
+  return chosen;
+}
+
+std::vector<std::string> AssignColors(const std::vector<std::string>& requested) {
   std::vector<std::string> texts;
-  texts.reserve(given.size());
-  for (const std::optional<Rgb>& color : given) texts.push_back(TextOf(*color));
+  texts.reserve(requested.size());
+  for (const uint32_t color : ChooseColors(requested)) {
+    texts.push_back(ColorText(ValueOf(DarkEnough(RgbOf(color)))));
+  }
   return texts;
 }
+
+std::string ColorText(uint32_t color) { return fmt::format("#{:06x}", color & 0xffffff); }
 
 }  // namespace shoal

@@ -1,4 +1,4 @@
-#include "lib/tools/plot/plot_colors.h"
+#include "lib/mission/model/vehicle_colors.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <set>
 
-namespace shoal::plot_colors_test {
+namespace shoal::vehicle_colors_test {
 
 TEST(ColorOf, KnowsCssNamesHoweverTheyAreWritten) {
   EXPECT_EQ(ColorOf("dodgerblue"), 0x1e90ffu);
@@ -63,6 +63,40 @@ TEST(AssignColors, GivesAColourToTheFirstThatRequestsIt) {
   EXPECT_EQ(colors[2], "#ff0000");
 }
 
+TEST(ChooseColors, LeavesWhatAVehicleAloneRequestsAsItIs) {
+  EXPECT_EQ(ChooseColors({"yellow", "white"}), (std::vector<uint32_t>{0xffff00, 0xffffff}));
+  EXPECT_EQ(ColorText(0x00ff01), "#00ff01");
+}
+
+TEST(ChooseColors, GivesOneColourFromTwoVehiclesOnForPlotsAndViewer) {
+  const auto plotted = AssignColors({"yellow", "yellow", "red"});
+  const auto chosen = ChooseColors({"yellow", "yellow", "red"});
+  EXPECT_EQ(chosen[0], 0xffff00u);
+  EXPECT_EQ(plotted[0], "#bbbb00") << "the same, darker";
+  for (const size_t i : {1, 2}) EXPECT_EQ(ColorText(chosen[i]), plotted[i]);
+}
+
+TEST(ChooseColors, DifferOnTheViewersDarkGroundToo) {
+  std::vector<std::string> texts;
+  for (const uint32_t color : ChooseColors(std::vector<std::string>(12, "yellow"))) {
+    // As web/colors.js does: mixed with white until it is light enough.
+    double amount = 0;
+    const auto part = [&](int shift) {
+      const double own = static_cast<double>((color >> shift) & 0xff) / 255;
+      return own + (1 - own) * amount;
+    };
+    const auto linear = [](double value) {
+      return value <= 0.04045 ? value / 12.92 : std::pow((value + 0.055) / 1.055, 2.4);
+    };
+    while (0.2126 * linear(part(16)) + 0.7152 * linear(part(8)) + 0.0722 * linear(part(0)) < 0.2) {
+      amount += 0.04;
+    }
+    const auto byte = [&](int shift) { return static_cast<uint32_t>(part(shift) * 255); };
+    texts.push_back(ColorText(byte(16) << 16 | byte(8) << 8 | byte(0)));
+  }
+  EXPECT_GT(LeastDifference(texts), 0.15);
+}
+
 TEST(AssignColors, GivesAFleetOfOneColourManyColours) {
   const auto colors = AssignColors(std::vector<std::string>(40, "yellow"));
   EXPECT_EQ(std::set<std::string>(colors.begin(), colors.end()).size(), 40u);
@@ -81,4 +115,4 @@ RC_GTEST_PROP(AssignColors, GivesEveryVehicleAColourThatIsOne,
   for (const std::string& color : colors) RC_ASSERT(ColorOf(color).has_value());
 }
 
-}  // namespace shoal::plot_colors_test
+}  // namespace shoal::vehicle_colors_test
