@@ -9,7 +9,7 @@
 #include "lib/base/geometry/angles.h"
 #include "lib/base/text/letters.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/tools/plot/plot_colors.h"
+#include "lib/mission/model/vehicle_colors.h"
 
 namespace shoal {
 
