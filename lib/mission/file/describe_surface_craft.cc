@@ -49,6 +49,7 @@ void Describe(Fields& fields, SurfaceCraftParams& params) {
   fields.Number("max_rudder_rate_degps", params.max_rudder_rate_degps, Above(0, 100'000));
   fields.Number("turn_rate_degps", params.turn_rate_degps, Above(0, 360));
   fields.Number("full_turn_speed_mps", params.full_turn_speed_mps, Above(0, kFastest_mps));
+  fields.Number("full_turn_thrust_pct", params.full_turn_thrust_pct, Between(0, 100));
   fields.Number("turn_speed_loss", params.turn_speed_loss, Between(0, 0.99));
 }
 

@@ -577,6 +577,7 @@ class MissionDraw {
         .max_rudder_rate_degps = Positive(100'000),
         .turn_rate_degps = Positive(360),
         .full_turn_speed_mps = Positive(50),
+        .full_turn_thrust_pct = Number(0, 100),
         .turn_speed_loss = Number(0, 0.99)};
     vehicle.sim = DrawProvider();
     vehicle.helm = DrawProvider();

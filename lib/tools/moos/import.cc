@@ -270,7 +270,9 @@ class Importer {
                                 : std::string(AppCounterpart(app_class)));
     }
     if (is_unknown) losses_.LoseApp(block.app, block.origin);
-    if (app_class == "usimmarine" && vehicle != nullptr) vehicle->SetHasSim();
+    if (app_class == "usimmarine" && vehicle != nullptr) {
+      vehicle->SetHasSim(LowerCase(block.app) != "usimmarine");
+    }
     for (const MoosLine& line : block.lines) {
       const std::string& origin = line.origin;
       if (is_unknown) {

@@ -733,12 +733,27 @@ TEST(ImportMoos, WritesTheDefaultsOfUSimMarine) {
   EXPECT_EQ(plain.turn_speed_loss, 0.85);
   EXPECT_EQ(plain.turn_rate_degps, 70);
   EXPECT_EQ(plain.full_turn_speed_mps, 5);
+  EXPECT_EQ(plain.full_turn_thrust_pct, 50);
   EXPECT_EQ(plain.max_acceleration_mps2, 100);
   EXPECT_EQ(plain.max_deceleration_mps2, 0.5);
   EXPECT_EQ(plain.max_rudder_rate_degps, 100'000);
   const SurfaceCraftParams given = craft("turn_spd_loss = 0.5\nmax_deceleration = 0\n");
   EXPECT_EQ(given.turn_speed_loss, 0.5);
   EXPECT_EQ(given.max_deceleration_mps2, 100);
+}
+
+TEST(ImportMoos, LetsTheThrustAloneTurnAVesselOfTheFirstUSimMarine) {
+  const MoosImport import = ImportMoos(std::vector<MoosSource>{
+      {.name = "v.moos",
+       .text = "Community = ida\nProcessConfig = uSimMarine\n{\nturn_rate = 60\n}\n"
+               "ProcessConfig = pMarinePID\n{\nspeed_factor = 20\n}\n"}});
+  const shoal::Vehicle ida = Loaded(import).mission.vehicles.at(0);
+  const auto& craft = std::get<SurfaceCraftParams>(ida.model);
+  EXPECT_EQ(craft.turn_rate_degps, 60);
+  EXPECT_EQ(craft.full_turn_speed_mps, 0.01);
+  EXPECT_EQ(craft.full_turn_thrust_pct, 50);
+  EXPECT_EQ(ida.autopilot.speed_kp, 0);
+  EXPECT_EQ(ida.autopilot.speed_ki, 0);
 }
 
 TEST(ImportMoos, AccountsForEveryLine) {

@@ -173,6 +173,7 @@ bool VehicleImport::Take(std::string_view app_class, const std::string& origin,
   const bool is_drift = is_sim && (key == "drift_x" || key == "drift_y" || key == "drift_vector");
   const bool is_speed = is_sim && key == "max_speed";
   if (is_sim && TakeNoLimit(key, origin, line)) return true;
+  if (key == "speed_factor" && TakeSpeedFactor(app_class, origin, line)) return true;
   const bool is_domain = app_class == "phelmivp" && key == "domain";
   if (is_domain) return TakeDomain(origin, line, warnings);
   const bool is_extra = app_class == "pnodereporter" && key == "platform_aspect";
@@ -338,6 +339,22 @@ bool VehicleImport::TakeNoLimit(std::string_view key, const std::string& origin,
   return true;
 }
 
+/// With a factor the thrust follows the wanted speed, whatever the speed is.
+bool VehicleImport::TakeSpeedFactor(std::string_view app_class, const std::string& origin,
+                                    const MoosLine& line) {
+  const bool is_pid = app_class == "pmarinepid" || app_class == "usimmarine";
+  if (!is_pid || is_underwater_ || NumberIn(line.value).value_or(0) <= 0) return false;
+  for (const char* gain : {"speed_kp", "speed_ki"}) {
+    draft_->Set(TableOf(SettingPlace::kAutopilot),
+                {.key = gain,
+                 .value = "0",
+                 .origin = origin,
+                 .text = line.text,
+                 .reason = "The thrust follows the wanted speed alone."});
+  }
+  return true;
+}
+
 void VehicleImport::SetSimDefaults() {
   const std::string craft = TableOf(SettingPlace::kCraft);
   const auto set = [&](const char* key, const char* value, const char* reason) {
@@ -355,8 +372,9 @@ void VehicleImport::SetSimDefaults() {
         "uSimMarine has no limit where it is not given.");
   }
   if (draft_->IsSet(craft, "turn_rate_degps")) {
-    set("full_turn_speed_mps", "5",
-        "Assumed: as uSimMarine turns at 50 % thrust; there the thrust counts too.");
+    constexpr char kTurn[] = "As uSimMarine turns.";
+    set("full_turn_speed_mps", turns_by_speed_ ? "5" : "0.01", kTurn);
+    set("full_turn_thrust_pct", "50", kTurn);
   }
 }
 

@@ -62,8 +62,12 @@ class VehicleImport {
   bool Take(std::string_view app_class, const std::string& origin, const MoosLine& line,
             std::vector<std::string>* warnings);
 
-  /// Its file has a block of uSimMarine, whose defaults are not those of shoal.
-  void SetHasSim() { has_sim_ = true; }
+  /// Its file has a block of uSimMarine, whose defaults are not those of shoal. `turns_by_speed`:
+  /// as versions from V22 on do.
+  void SetHasSim(bool turns_by_speed) {
+    has_sim_ = true;
+    turns_by_speed_ = turns_by_speed;
+  }
 
   /// Writes what Take() gathered.
   void Finish();
@@ -95,6 +99,7 @@ class VehicleImport {
   bool TakeDomain(const std::string& origin, const MoosLine& line,
                   std::vector<std::string>* warnings);
   void SetSimDefaults();
+  bool TakeSpeedFactor(std::string_view app_class, const std::string& origin, const MoosLine& line);
   bool TakeNoLimit(std::string_view key, const std::string& origin, const MoosLine& line);
   void SetGathered(const std::string& table, std::string key, const Gathered& gathered);
 
@@ -111,7 +116,8 @@ class VehicleImport {
   DraftOrigins drift_;
   Eigen::Vector2d drift_mps_ = Eigen::Vector2d::Zero();
   ThrustImport thrust_;
-  bool has_sim_ = false;         ///< Its file has a block of uSimMarine.
+  bool has_sim_ = false;  ///< Its file has a block of uSimMarine.
+  bool turns_by_speed_ = true;
   std::string station_origins_;  ///< Of the button that deploys and leaves STATION_KEEP alone.
 };
 

@@ -111,7 +111,10 @@ SurfaceCraftState Step(const SurfaceCraftParams& params, const SurfaceCraftState
   const double mean_speed_mps = 0.5 * (state.speed_mps + next.speed_mps);
   const double mean_rudder_share =
       0.5 * (state.rudder_deg + next.rudder_deg) / params.max_rudder_deg;
-  const double turn_share = std::clamp(mean_speed_mps / params.full_turn_speed_mps, -1.0, 1.0);
+  double turn_share = std::clamp(mean_speed_mps / params.full_turn_speed_mps, -1.0, 1.0);
+  if (params.full_turn_thrust_pct > 0) {
+    turn_share *= std::abs(thrust_pct) / params.full_turn_thrust_pct;
+  }
   next.yaw_rate_radps = DegToRad(params.turn_rate_degps) * mean_rudder_share * turn_share;
   next.heading_rad = WrapTwoPi(state.heading_rad + next.yaw_rate_radps * dt_s);
 

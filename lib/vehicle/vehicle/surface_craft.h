@@ -6,7 +6,8 @@
 // The model of uSimMarine's users: thrust sets a target speed through a piecewise linear map,
 // turning costs speed, acceleration and deceleration are limited, the rudder turns the vessel in
 // proportion to its speed through water, astern the other way round. Unlike there, the turn
-// rate does not depend on the thrust: a rudder works by the water that flows past it.
+// rate does not depend on the thrust, unless `full_turn_thrust_pct` is given: a rudder works by the
+// water that flows past it.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,7 +35,8 @@ struct SurfaceCraftParams {
   double max_rudder_rate_degps = 200;  ///< How fast the rudder moves; > 0.
   double turn_rate_degps = 35;         ///< At full rudder and at or above `full_turn_speed_mps`.
   double full_turn_speed_mps = 1.5;    ///< Below it the turn rate falls in proportion.
-  double turn_speed_loss = 0.4;        ///< Share of the target speed lost at full rudder; [0, 1).
+  double full_turn_thrust_pct = 0;  ///< The turn rate is in proportion to the thrust; 0: it is not.
+  double turn_speed_loss = 0.4;     ///< Share of the target speed lost at full rudder; [0, 1).
 
   bool operator==(const SurfaceCraftParams&) const = default;
 };

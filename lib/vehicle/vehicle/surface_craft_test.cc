@@ -98,6 +98,20 @@ TEST(SurfaceCraft, TurnsInProportionToItsSpeedUpToFullTurnSpeed) {
   EXPECT_NEAR(yaw_rate_degps(4), 35 * 0.5, 1e-9);
 }
 
+TEST(SurfaceCraft, TurnsInProportionToItsThrustWhereThatCounts) {
+  SurfaceCraftParams params{
+      .thrust_map = {{100, 5}}, .max_rudder_rate_degps = 1e6, .turn_speed_loss = 0};
+  params.full_turn_thrust_pct = 50;
+  const auto yaw_rate_degps = [&](double thrust_pct) {
+    const SurfaceCraftState state{.speed_mps = thrust_pct / 20, .rudder_deg = 50};
+    const SurfaceCraftCommand hold{.thrust_pct = thrust_pct, .rudder_deg = 50};
+    return RadToDeg(Step(params, state, hold, kStillWater, 0.1).yaw_rate_radps);
+  };
+  EXPECT_NEAR(yaw_rate_degps(40), 35 * 0.5 * 0.8, 1e-9);
+  EXPECT_NEAR(yaw_rate_degps(100), 35 * 0.5 * 2, 1e-9);
+  EXPECT_NEAR(yaw_rate_degps(-100), -35 * 0.5 * 2, 1e-9) << "astern the other way round";
+}
+
 TEST(SurfaceCraft, TurnsToStarboardWithPositiveRudderAndTheOtherWayAstern) {
   const SurfaceCraftParams params;
   EXPECT_GT(Sail(params, {.heading_rad = 1, .speed_mps = 2}, {40, 30}, 1).heading_rad, 1);
