@@ -202,7 +202,7 @@ TEST_F(Import, TakesTheExampleWithAvoidanceWhole) {
   EXPECT_EQ(mission.vehicles[0].color, "orange");
   ASSERT_EQ(hal.behaviors.size(), 4U);
   EXPECT_EQ(hal.behaviors[1].templating, Templating::kSpawn);
-  EXPECT_EQ(std::get<ColregsOptions>(hal.behaviors[1].what).max_util_cpa_dist, 20);
+  EXPECT_EQ(std::get<ColregsOptions>(hal.behaviors[1].what).max_util_cpa_dist, 26);
   EXPECT_EQ(hal.variables.size(), 4U);
   EXPECT_EQ(hal.modes.size(), 3U);
   ASSERT_EQ(mission.events.size(), 6U);
@@ -257,11 +257,11 @@ TEST_F(Import, MakesVesselsOfTheExampleExchangeTheirCirclesAndAvoidEachOther) {
   constexpr double kRadius_m = 40;
   EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(100), west_m, kRadius_m));
   EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(100), east_m, kRadius_m));
-  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(280), east_m, kRadius_m));
-  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(280), west_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").at(300), east_m, kRadius_m));
+  EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").at(300), west_m, kRadius_m));
   EXPECT_TRUE(IsNear(tracks.positions_m.at("gil").back(), {0, -20}, 12)) << "home";
   EXPECT_TRUE(IsNear(tracks.positions_m.at("hal").back(), {130, -20}, 12)) << "home";
-  EXPECT_GT(tracks.closest_m, 20) << "max_util_cpa_dist";
+  EXPECT_GT(tracks.closest_m, 24) << "max_util_cpa_dist is 26";
 }
 
 TEST_F(Import, MakesThemMeetWhereTheyDoNotAvoidEachOther) {

@@ -16,13 +16,13 @@
 #include "lib/mission/toml/table_writer.h"
 #include "lib/run/moos_text/fields.h"
 #include "lib/run/moos_text/numbers.h"
+#include "lib/tools/moos/bhv_defaults.h"
 #include "lib/tools/moos/bhv_keys.h"
 #include "lib/tools/moos/bhv_leg.h"
 #include "lib/tools/moos/bhv_loiter.h"
 #include "lib/tools/moos/bhv_points.h"
 #include "lib/tools/moos/bhv_settings.h"
 #include "lib/tools/moos/bhv_text.h"
-#include "lib/tools/moos/contact_templates.h"
 
 namespace shoal {
 namespace {
@@ -79,7 +79,13 @@ class BlockImporter {
     }
     for (const MoosLine& line : block_.lines) Take(line);
     if (loiter_.MoveToCenter()) settings_.Move("polygon", TomlPoints(loiter_.polygon_m()), "");
-    TakeDefaults();
+    if (IsSimpleWaypoint()) SetSimplePoint();
+    if (kind_ == "periodic_surface") {
+      const std::string_view mark = settings_.ValueOf("mark_variable");  // In quotes.
+      import_.variables.emplace(mark.size() > 2 ? mark.substr(1, mark.size() - 2)
+                                                : "GPS_UPDATE_RECEIVED");
+    }
+    SetBhvDefaults(block_, kind_, has_duration_, &settings_, &import_.warnings);
     BhvTable table = std::move(settings_).Finished();
     if (is_refused_) {
       for (DraftLine& line : table.lines) {
@@ -272,69 +278,6 @@ class BlockImporter {
 
   bool IsOldRegion() const { return LowerCase(block_.type).ends_with("opregion"); }
   bool IsRegionThatRecovers() const { return LowerCase(block_.type).ends_with("opregionrecover"); }
-
-  void TakeDefaults() {
-    const bool has_turns = settings_.IsSet("turn1_rad") && settings_.IsSet("turn2_rad");
-    if (kind_ == "leg_run" && !has_turns) {
-      import_.warnings.push_back(
-          fmt::format("{}: Behavior = {}: has no turn_rad: MOOS-IvP's does nothing then, here it "
-                      "turns with 20 m",
-                      block_.origin, block_.type));
-    }
-    if (kind_ == "cut_range" && AsksForAlerts(block_)) {
-      settings_.Assume("alert_range", TomlNumber(settings_.NumberAt("pwt_outer_dist", 0)),
-                       "As MOOS-IvP's template asks for alerts.");
-    }
-    if (kind_ == "max_depth") {
-      settings_.Assume("tolerance", "100", "As MOOS-IvP has it where it is not given.");
-    }
-    if (kind_ == "op_region" && IsOldRegion() && !settings_.IsSet("trigger_entry_time")) {
-      settings_.Assume("trigger_on_poly_entry", "false",
-                       "As MOOS-IvP's OpRegion: a start outside is a breach.");
-    }
-    if (IsSimpleWaypoint()) SetSimplePoint();
-    if (LowerCase(block_.type).ends_with("aborttopoint")) {
-      settings_.Assume("capture_radius", "25", "As MOOS-IvP's AbortToPoint has it.");
-      settings_.Assume("slip_radius", "200", "As MOOS-IvP's AbortToPoint has it.");
-    }
-    if (kind_ == "periodic_surface") {
-      const std::string_view mark = settings_.ValueOf("mark_variable");  // In quotes.
-      import_.variables.emplace(mark.size() > 2 ? mark.substr(1, mark.size() - 2)
-                                                : "GPS_UPDATE_RECEIVED");
-    }
-    TakeDistances();
-    const bool is_constant = kind_.starts_with("constant_");
-    if (is_constant && !has_duration_ && !settings_.IsSet("duration")) {
-      import_.warnings.push_back(
-          fmt::format("{}: Behavior = {}: has no duration: MOOS-IvP ends it at once, here it lasts "
-                      "without end",
-                      block_.origin, block_.type));
-    }
-  }
-
-  /// Where the distances of avoidance cross, MOOS-IvP moves one of them, and shoal refuses.
-  void TakeDistances() {
-    const bool is_obstacle = kind_ == "avoid_obstacle";
-    if (!is_obstacle && kind_ != "avoid_collision" && kind_ != "colregs") return;
-    const bool is_plain = kind_ == "avoid_collision";
-    const double outer_m = settings_.NumberAt("pwt_outer_dist", is_obstacle ? 50
-                                                                : is_plain  ? 200
-                                                                            : 100);
-    const double inner_m = settings_.NumberAt("pwt_inner_dist", is_obstacle ? 10
-                                                                : is_plain  ? 50
-                                                                            : 90);
-    const double completed_m = settings_.NumberAt("completed_dist", is_obstacle ? 50
-                                                                    : is_plain  ? 500
-                                                                                : 100);
-    if (inner_m >= outer_m) {
-      settings_.Move("pwt_inner_dist", TomlNumber(outer_m * 0.9),
-                     "Assumed: less than pwt_outer_dist, as it must be.");
-    }
-    if (completed_m < outer_m) {
-      settings_.Move("completed_dist", TomlNumber(outer_m),
-                     "Assumed: not less than pwt_outer_dist, as it must be.");
-    }
-  }
 
   void TakeRow(const BhvKey& row, const MoosLine& line, std::string_view value) {
     const std::string key(row.key);

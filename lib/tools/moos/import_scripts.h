@@ -13,6 +13,7 @@
 #include "lib/tools/moos/import_posts.h"
 #include "lib/tools/moos/import_timer.h"
 #include "lib/tools/moos/mission_draft.h"
+#include "lib/tools/moos/moos_bridges.h"
 #include "lib/tools/moos/moos_file.h"
 
 namespace shoal {

@@ -3,20 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 #include <map>
-#include <optional>
-#include <variant>
 
-#include "lib/base/random/stream.h"
 #include "lib/base/text/blanks.h"
 #include "lib/base/text/letters.h"
-#include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
 #include "lib/mission/toml/table_writer.h"
 #include "lib/run/moos_text/fields.h"
 #include "lib/run/moos_text/numbers.h"
+#include "lib/tools/moos/script_run.h"
+#include "lib/tools/moos/sim_drift.h"
 #include "lib/tools/moos/timer_draws.h"
 #include "lib/tools/moos/timer_events.h"
 
@@ -34,20 +30,6 @@ bool IsOverride(std::string_view variable) {
          variable.starts_with("MOOS_MANUAL_OVERRIDE");
 }
 
-/// A line `event = ...`.
-struct EventLine {
-  int line = 0;
-  std::string origin;
-  std::string text;
-  std::string variable;
-  std::string value;
-  TimeRange time;
-  int amount = 1;
-  int first_index = 0;       ///< Of the first of `amount`, for $[IDX].
-  std::string problem = {};  ///< Why it is no event.
-  bool is_needless = false;
-};
-
 /// Returns true where the value stands in double quotes: any other loses its blanks.
 bool IsQuotedValue(std::string_view text) {
   const size_t at = text.find("val");
@@ -55,14 +37,14 @@ bool IsQuotedValue(std::string_view text) {
   return equals != text.npos && Trimmed(text.substr(equals + 1)).starts_with('"');
 }
 
-EventLine ReadEventLine(const MoosLine& line) {
+ScriptLine ReadScriptLine(const MoosLine& line) {
   constexpr int kMostAmount = 1'000;
-  EventLine event{.line = line.number,
-                  .origin = line.origin,
-                  .text = line.text,
-                  .variable = "",
-                  .value = "",
-                  .time = {}};
+  ScriptLine event{.line = line.number,
+                   .origin = line.origin,
+                   .text = line.text,
+                   .variable = "",
+                   .value = "",
+                   .time = {}};
   if (LowerCase(line.value) == "quit") {
     event.problem = "a script needs no end here";
     event.is_needless = true;
@@ -99,23 +81,8 @@ EventLine ReadEventLine(const MoosLine& line) {
   return event;
 }
 
-/// What a script does: its events, and the keys about its rounds.
-struct Script {
-  std::vector<EventLine> events;
-  std::vector<RandomVariable> variables;
-  TimeRange delay_start;
-  TimeRange delay_reset;
-  TimeRange warp = {1, 1};
-  std::optional<double> reset_s;  ///< Nothing: when all are posted.
-  double num_resets = 0;
-  int reset_line = 0;
-  int pause_line = 0;  ///< Of paused = true; 0: it is not.
-  std::string pause_variable = "UTS_PAUSE";
-  bool shuffles = true;  ///< Times are drawn again in each round.
-};
-
-Script ReadScript(const MoosBlock& block, TimerScript* result) {
-  Script script;
+MoosScript ReadScript(const MoosBlock& block, TimerScript* result) {
+  MoosScript script;
   int index = 0;
   const auto lose = [&](const MoosLine& line, std::string reason) {
     result->losses.emplace_back(line.number, std::move(reason));
@@ -125,7 +92,7 @@ Script ReadScript(const MoosBlock& block, TimerScript* result) {
     const std::string value = LowerCase(line.value.substr(0, 32));
     const auto time = ParseTimeRange(value);
     if (key == "event") {
-      script.events.push_back(ReadEventLine(line));
+      script.events.push_back(ReadScriptLine(line));
       script.events.back().first_index = index;
       index += script.events.back().amount;
     } else if (key == "randvar" || key == "rand_var") {
@@ -188,159 +155,6 @@ Script ReadScript(const MoosBlock& block, TimerScript* result) {
   return script;
 }
 
-/// Returns true where an event is one of the mission, or becomes part of something else.
-bool IsAnyTaken(const TimerScript& script) {
-  return std::any_of(script.events.begin(), script.events.end(), [](const TimerEvent& event) {
-    return !event.keys.empty() || event.point || event.drift;
-  });
-}
-
-class ScriptRun {
- public:
-  using Convert =
-      std::function<ConvertedEvent(const std::string& posted, const std::string& value)>;
-
-  ScriptRun(const Script& script, std::string_view vehicle, const Convert& convert)
-      : script_(script),
-        vehicle_(vehicle),
-        convert_(convert),
-        variables_(script.variables),
-        stream_(1, "uTimerScript", vehicle) {}
-
-  void Run(TimerScript* result) {
-    for (RandomVariable& variable : variables_) Draw(&variable, &stream_);
-    // What a mission without an end lasts (import.cc), and as many events as a person still reads.
-    constexpr double kLongest_s = 600;
-    constexpr size_t kMostEvents = 500;
-    double begin_s = 0;
-    for (int round = 0; round <= script_.num_resets; ++round) {
-      round_ = round;
-      if (round == 0 || script_.shuffles) DrawTimes();
-      if (round > 0) {
-        for (RandomVariable& variable : variables_) {
-          if (variable.key == "at_reset") Draw(&variable, &stream_);
-        }
-      }
-      const double warp = DrawTime(script_.warp, &stream_);
-      const TimeRange& delay = round == 0 ? script_.delay_start : script_.delay_reset;
-      const double last_s = Round(begin_s, DrawTime(delay, &stream_), warp, result);
-      const double length_s = script_.reset_s ? *script_.reset_s : last_s;
-      begin_s += length_s / warp;
-      const bool goes_on = round < script_.num_resets && !result->events.empty();
-      if (!goes_on || !(length_s > 0)) return;
-      if (begin_s <= kLongest_s && result->events.size() < kMostEvents) continue;
-      if (!IsAnyTaken(*result)) return;  // Its events are lost anyway.
-      result->losses.emplace_back(
-          script_.reset_line,
-          fmt::format("the script is repeated: its {} rounds that begin within {:.0f} s are taken",
-                      round + 1, std::min(begin_s, kLongest_s)));
-      return;
-    }
-  }
-
- private:
-  /// One post of a line.
-  struct Post {
-    const EventLine* event = nullptr;
-    int index = 0;
-    double time_s = 0;  ///< Of the script's own clock, without its delay.
-  };
-
-  void DrawTimes() {
-    posts_.clear();
-    for (const EventLine& event : script_.events) {
-      for (int i = 0; i < event.amount; ++i) {
-        posts_.push_back({.event = &event,
-                          .index = event.first_index + i,
-                          .time_s = DrawTime(event.time, &stream_)});
-      }
-    }
-    std::stable_sort(posts_.begin(), posts_.end(),
-                     [](const Post& a, const Post& b) { return a.time_s < b.time_s; });
-  }
-
-  /// Adds the events of a round; returns when the last is posted, by the script's clock.
-  double Round(double begin_s, double delay_s, double warp, TimerScript* result) {
-    double last_s = 0;
-    int count = 0;
-    for (const Post& post : posts_) {
-      const double clock_s = delay_s + post.time_s;
-      if (script_.reset_s && script_.num_resets > 0 && clock_s > *script_.reset_s) continue;
-      last_s = std::max(last_s, clock_s);
-      TimerEvent event{
-          .line = post.event->line, .origin = post.event->origin, .text = post.event->text};
-      event.round = round_;
-      event.at_s = TimerRounded(begin_s + clock_s / warp);
-      event.reason = post.event->problem;
-      event.is_needless = post.event->is_needless;
-      if (event.reason.empty()) AddEvent(post, count, &event);
-      if (post.event->problem.empty()) {
-        ++count;
-        ++total_;
-      }
-      result->events.push_back(std::move(event));
-    }
-    return last_s;
-  }
-
-  void AddEvent(const Post& post, int count, TimerEvent* event) {
-    std::string value = post.event->value;
-    std::string variable = post.event->variable;
-    bool is_drawn = post.event->time.low_s != post.event->time.high_s;
-    const std::string plain = value;
-    for (RandomVariable& random : variables_) {
-      if (value.find("$[" + random.name + "]") == value.npos &&
-          value.find("$(" + random.name + ")") == value.npos) {
-        continue;
-      }
-      if (random.key == "at_post") Draw(&random, &stream_);
-      ReplaceTimerMacro(&value, random.name, TomlNumber(random.value));
-      is_drawn = true;
-    }
-    ReplaceTimerMacro(&value, "COUNT", std::to_string(count));
-    ReplaceTimerMacro(&value, "TCOUNT", std::to_string(total_));
-    ReplaceTimerMacro(&value, "IDX", fmt::format("{:03}", post.index));
-    ReplaceTimerMacro(&value, "VNAME", vehicle_.empty() ? "shoreside" : std::string(vehicle_));
-    uint64_t limit = 1;
-    for (int digits = 1; digits <= 9; ++digits) {
-      limit *= 10;
-      const std::string macro = std::to_string(digits);
-      if (value.find("$(" + macro + ")") == value.npos) continue;
-      ReplaceTimerMacro(&value, macro, std::to_string(stream_.UniformInt(limit)));
-      is_drawn = true;
-    }
-    if (value != plain || value.starts_with('{')) value = WithTimerSums(std::move(value));
-    if (HasTimerMacro(value) || HasTimerMacro(variable)) {
-      event->reason = "holds a macro, which has no value here: write an [[event]] by hand";
-      return;
-    }
-    if (is_drawn) event->assumed = "drawn as uTimerScript draws it, once for all runs";
-    ConvertedEvent converted = convert_(variable, value);
-    if (auto* keys = std::get_if<EventKeys>(&converted)) {
-      event->keys = std::move(*keys);
-    } else if (const auto* point = std::get_if<TrackedPoint>(&converted)) {
-      event->point = *point;
-      event->reason = "[[obstacle]]";
-      event->is_needless = true;
-    } else if (const auto* drift = std::get_if<DriftChange>(&converted)) {
-      event->drift = *drift;
-    } else {
-      event->reason = std::get<std::string>(converted);
-      event->is_needless = event->reason == kOnlyDraws || event->reason == kOnlySounds ||
-                           event->reason == kNothingReads;
-    }
-  }
-
-  const Script& script_;
-  std::string_view vehicle_;
-  const Convert& convert_;
-  std::vector<RandomVariable> variables_;
-  Stream stream_;
-  std::vector<Post> posts_;
-  int round_ = 0;
-  int total_ = 0;
-};
-
 /// Gives each change of a drift the keys of the drift that is there then.
 void SumDrifts(const TimerContext& context, TimerScript* script) {
   std::vector<TimerEvent*> changes;
@@ -365,7 +179,7 @@ void SumDrifts(const TimerContext& context, TimerScript* script) {
 }
 
 /// A script that behaviors start waits for its variable.
-void Unpause(Script* script, TimerScript* result) {
+void Unpause(MoosScript* script, TimerScript* result) {
   result->conditions.push_back(script->pause_variable + " = false");
   std::erase_if(result->losses, [&](const auto& loss) { return loss.first == script->pause_line; });
   result->taken.push_back(script->pause_line);
@@ -395,12 +209,12 @@ TimerScript ReadTimerScript(const MoosBlock& block, const TimerContext& context)
     return ConvertEvent(posted, value, context);
   };
   TimerScript result;
-  Script script = ReadScript(block, &result);
+  MoosScript script = ReadScript(block, &result);
   if (script.pause_line > 0 && context.may_be_set != nullptr &&
       context.may_be_set(script.pause_variable)) {
     Unpause(&script, &result);
   }
-  ScriptRun(script, context.vehicle, convert).Run(&result);
+  RunScript(script, context.vehicle, convert, &result);
   result.num_resets = script.num_resets;
   result.reset_line = script.reset_line;
   const bool is_idle = script.pause_line > 0 || !context.idle.empty();
@@ -421,44 +235,6 @@ void TakeConditions(TimerScript* script) {
     script->taken.push_back(loss.first);
     return true;
   });
-}
-
-bool MoosBridges::Add(const MoosLine& line) {
-  if (LowerCase(line.key) != "bridge") return false;
-  const auto fields = ParseFields(line.value);
-  if (!fields.ok()) return false;
-  Bridge bridge;
-  for (const MoosField& field : *fields) {
-    const std::string key = LowerCase(field.key.substr(0, 16));
-    if (key == "src") bridge.source = field.value;
-    if (key == "alias") bridge.alias = field.value;
-  }
-  if (bridge.source.empty()) return false;
-  if (bridge.alias.empty()) bridge.alias = bridge.source;
-  bridges_.push_back(std::move(bridge));
-  return true;
-}
-
-std::string MoosBridges::Find(std::string_view posted,
-                              std::span<const std::string> vehicles) const {
-  for (const Bridge& bridge : bridges_) {
-    if (bridge.source == posted) return bridge.alias + "_ALL";
-    for (size_t i = 0; i < vehicles.size(); ++i) {
-      std::string wanted = bridge.source;
-      std::string alias = bridge.alias;
-      for (const auto& [macro, value] :
-           {std::pair<std::string, std::string>("$N", std::to_string(i + 1)),
-            {"$V", UpperCase(vehicles[i])},
-            {"$v", LowerCase(vehicles[i])}}) {
-        const size_t at = wanted.find(macro);
-        if (at != wanted.npos) wanted.replace(at, macro.size(), value);
-        const size_t there = alias.find(macro);
-        if (there != alias.npos) alias.replace(there, macro.size(), value);
-      }
-      if (wanted == posted && wanted != bridge.source) return alias + "_" + UpperCase(vehicles[i]);
-    }
-  }
-  return {};
 }
 
 }  // namespace shoal

@@ -72,24 +72,6 @@ void TakeConditions(TimerScript* script);
 /// Returns true where behaviors of `vehicle` go by a variable.
 using HasMoosVariable = std::function<bool(std::string_view vehicle, std::string_view variable)>;
 
-/// Which variable of the shore reaches which vehicle: `bridge = src=UP_$N, alias=UP` of
-/// uFldShoreBroker, where $N is the vehicle's number, $V its name.
-class MoosBridges {
- public:
-  /// Returns false where the line is no such rule.
-  bool Add(const MoosLine& line);
-
-  /// Returns "UP_ABE" or "UP_ALL" for what the shore posts; empty where no rule names it.
-  std::string Find(std::string_view posted, std::span<const std::string> vehicles) const;
-
- private:
-  struct Bridge {
-    std::string source;
-    std::string alias;
-  };
-  std::vector<Bridge> bridges_;
-};
-
 /// Returns what the shore's variable is with the vehicle's name behind it; empty: nothing.
 using FindMoosBridge = std::function<std::string(std::string_view posted)>;
 

@@ -8,6 +8,7 @@
 
 #include "lib/mission/file/load.h"
 #include "lib/tools/moos/import.h"
+#include "lib/tools/moos/moos_bridges.h"
 
 namespace shoal::import_timer_test {
 
