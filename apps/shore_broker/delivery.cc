@@ -88,6 +88,7 @@ void Delivery::Conclude(int64_t utime, const DecidedTransmission& sent) {
     pulses_.Add(utime,
                 {.source = source,
                  .destination = receiver.name,
+                 .contact = decision.destination,
                  .from_m = sent.from_m,
                  .to_m = receiver.position_m,
                  .range_m = decision.range_m,

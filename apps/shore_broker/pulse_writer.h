@@ -1,10 +1,13 @@
-// Publishes on VIEW_COMMS_PULSE what was delivered, for viewers.
+// Publishes on VIEW_COMMS_PULSE what was delivered, for viewers, as columns
+// (lcmtypes/shoal_comms_pulse_columns_t.lcm).
 #pragma once
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/channels.h"
@@ -15,6 +18,8 @@ namespace shoal {
 struct Pulse {
   std::string_view source;
   std::string_view destination;
+  int32_t contact =
+      -1;  ///< The broker's number of the destination, where it is at hand: for speed.
   Eigen::Vector3d from_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
   Eigen::Vector3d to_m = Eigen::Vector3d::Zero();
   double range_m = 0;
@@ -24,7 +29,7 @@ struct Pulse {
 
 class PulseWriter {
  public:
-  /// Fits one datagram, as with fates.
+  /// Fits one datagram, as with fates; as a list too, which older programs publish again.
   static constexpr int32_t kMaxPulsesPerMessage = 350;
 
   explicit PulseWriter(Bus& bus);
@@ -37,9 +42,23 @@ class PulseWriter {
   void Flush(int64_t utime);
 
  private:
+  bool IsEnd(size_t index, std::string_view vehicle, const Eigen::Vector3d& place_m) const;
+  /// Returns which of the message's ends it is; adds it where it is not there.
+  size_t EndOf(std::string_view vehicle, const Eigen::Vector3d& place_m);
+  size_t DestinationOf(const Pulse& pulse);
+  int16_t StyleOf(const Pulse& pulse, double duration_s);
+
   Bus& bus_;
-  const Channel<comms_pulses_t> channel_ = channels::ViewCommsPulse();
-  comms_pulses_t message_;  ///< Keeps its strings' memory: only the first num_pulses are meant.
+  const Channel<comms_pulse_columns_t> channel_ = channels::ViewCommsPulseColumns();
+  comms_pulse_columns_t message_;
+
+  // Of message_.
+  std::vector<std::string> names_;  ///< Of its ends, as they were given.
+  /// A vehicle has several ends where it was met at several places.
+  std::map<std::string, std::vector<size_t>, std::less<>> ends_of_name_;
+  size_t source_ = 0;                   ///< The end that was the last source.
+  size_t style_ = 0;                    ///< Likewise, of its styles.
+  std::vector<size_t> end_of_contact_;  ///< The last that a contact had; it may be another's now.
 };
 
 /// Returns the colour of a vehicle's reports, by its index: the same for as long as it is there.

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "lib/bus/bus/memory_bus.h"
@@ -98,6 +100,55 @@ TEST_F(PulseWriterTest, SplitsWhatIsTooLongForOneMessage) {
   Bytes bytes;
   EncodeInto(received_[0], &bytes);
   EXPECT_LT(bytes.size(), 65'000U) << "one datagram";
+}
+
+TEST_F(PulseWriterTest, KeepsPlacesOfAVehicleAndNamesOfTwoCasesApart) {
+  Pulse moved = PulseOfRange(60);
+  moved.to_m.x() += 1;
+  Pulse back = PulseOfRange(60);
+  std::swap(back.source, back.destination);
+  std::swap(back.from_m, back.to_m);
+  Pulse small = PulseOfRange(60);
+  small.source = "JAMES";
+  for (const Pulse& pulse : {PulseOfRange(60), moved, PulseOfRange(60), back, small}) {
+    writer_.Add(7, pulse, 10);
+  }
+  writer_.Add(7, PulseOfRange(60), 3);
+  Deliver();
+  ASSERT_EQ(received_.size(), 1U);
+  const auto& pulses = received_[0].pulses;
+  ASSERT_EQ(pulses.size(), 6U);
+  EXPECT_EQ(pulses[1].tx_m, pulses[0].tx_m + 1);
+  EXPECT_EQ(pulses[2].tx_m, pulses[0].tx_m);
+  EXPECT_EQ(pulses[3].label, "IKE2JAMES");
+  EXPECT_EQ(pulses[3].sx_m, pulses[0].tx_m);
+  EXPECT_EQ(pulses[3].ty_m, pulses[0].sy_m);
+  EXPECT_EQ(pulses[4].label, "JAMES2IKE");
+  EXPECT_EQ(pulses[4].duration_s, 10);
+  EXPECT_EQ(pulses[5].duration_s, 3);
+}
+
+TEST_F(PulseWriterTest, NeedsAFewBytesForAPulseOfManyVehicles) {
+  constexpr int kVehicles = 19;
+  std::vector<std::string> names;
+  for (int i = 0; i < kVehicles; ++i) names.push_back("vehicle_" + std::to_string(i));
+  size_t num_bytes = 0;
+  MemoryBus hub;
+  hub.Join("bytes").SubscribeAll([&](const Message& message) { num_bytes += message.data.size(); });
+  PulseWriter writer(hub.Join("shore_broker"));
+  for (const std::string& source : names) {
+    for (const std::string& destination : names) {
+      if (source == destination) continue;
+      Pulse pulse = PulseOfRange(80);
+      pulse.source = source;
+      pulse.destination = destination;
+      writer.Add(7, pulse, 10);
+    }
+  }
+  writer.Flush(7);
+  hub.NextStep();
+  hub.HandleAll();
+  EXPECT_LT(num_bytes / (kVehicles * (kVehicles - 1)), 18U) << "115 as a list";
 }
 
 TEST(ReportColor, DistinguishesTwelveVehiclesAndIsNoMessagesDefault) {

@@ -8,15 +8,18 @@ from collections.abc import Iterable, Iterator
 from functools import cache
 from pathlib import Path
 
-from . import lcm_file
+from . import fate_columns, lcm_file, pulse_columns
 from .codec import Codec, make_codecs
 from .errors import DecodeError, LcmFileError
-from .fate_columns import COLUMNS_TYPE, LIST_TYPE, FatesCodec
 from .message import Message, make_class
 from .schema import Schema
 from .seal import split_seal
 
 _LARGEST_FILE = 1 << 20  #: Bytes.
+_LISTS = {  #: Types whose messages may be columns.
+    fate_columns.LIST_TYPE: fate_columns.FatesCodec,
+    pulse_columns.LIST_TYPE: pulse_columns.PulsesCodec,
+}
 
 
 def _read_lcm(path: str | os.PathLike[str]) -> list[lcm_file.StructType]:
@@ -62,7 +65,7 @@ class Types:
         self._left_out = schema.left_out
         for note in self._left_out.values():
             warnings.warn(note, stacklevel=2)
-        self._codecs = make_codecs(schema, {LIST_TYPE: FatesCodec})
+        self._codecs = make_codecs(schema, _LISTS)
         self._classes: dict[str, type[Message]] = {}
         self._by_name: dict[str, type[Message]] = {}
         self._by_fingerprint: dict[bytes, type[Message]] = {}
@@ -72,8 +75,9 @@ class Types:
             # Shoal's own names come first, and so do their fingerprints.
             self._by_name.setdefault(codec.struct.name, made)
             self._by_fingerprint.setdefault(codec.fingerprint_bytes, made)
-        columns = self._codecs[COLUMNS_TYPE].fingerprint_bytes
-        self._by_fingerprint[columns] = self._classes[LIST_TYPE]  # Both are read as lists.
+        for columns in (fate_columns, pulse_columns):  # Both are read as lists.
+            fingerprint = self._codecs[columns.COLUMNS_TYPE].fingerprint_bytes
+            self._by_fingerprint[fingerprint] = self._classes[columns.LIST_TYPE]
 
     def __getitem__(self, name: str) -> type[Message]:
         found = self._classes.get(name) or self._by_name.get(name)

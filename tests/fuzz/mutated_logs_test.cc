@@ -17,6 +17,7 @@
 #include "lib/tools/sqlite/log_sqlite.h"
 #include "shoal/comms_fate_columns_t.hpp"
 #include "shoal/comms_fates_t.hpp"
+#include "shoal/comms_pulse_columns_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
 #include "shoal/swarm_t.hpp"
@@ -62,6 +63,19 @@ Bytes FateColumns(int16_t count) {
   return Encoded(columns);
 }
 
+Bytes PulseColumns() {
+  comms_pulse_columns_t columns{};
+  columns.num_ends = columns.num_pulses = 2;
+  columns.num_styles = 1;
+  columns.ends = {{"ALPHA", 1, 2}, {"BRAVO", 3, 4}};
+  columns.styles.resize(1);
+  columns.source = {0, 1};
+  columns.destination = {1, 0};
+  columns.style = {0, 0};
+  columns.beam_width_m = {5, 6};
+  return Encoded(columns);
+}
+
 Bytes SwarmOf(const std::string& vehicle) {
   swarm_t swarm{};
   swarm.vehicle = vehicle;
@@ -85,6 +99,7 @@ void WriteWhole(const std::string& path) {
     events.push_back({utime, "NODE_REPORT_LOCAL", Encoded(report)});
     events.push_back({utime, "COMMS_FATES", utime == 0 ? FatesOf(2) : FateColumns(2)});
     events.push_back({utime, "SWARM_ALPHA", SwarmOf("alpha")});
+    events.push_back({utime, "VIEW_COMMS_PULSE", PulseColumns()});
   }
   WriteLog(path, events);
 }

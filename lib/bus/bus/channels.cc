@@ -94,6 +94,9 @@ Channel<comms_media_t> CommsMedia() { return {std::string(topics::kCommsMedia)};
 Channel<broker_rules_t> CommsRules() { return {std::string(topics::kCommsRules)}; }
 Channel<broker_rules_t> CommsRulesNow() { return {std::string(topics::kCommsRulesNow)}; }
 Channel<comms_pulses_t> ViewCommsPulse() { return {std::string(topics::kViewCommsPulse)}; }
+Channel<comms_pulse_columns_t> ViewCommsPulseColumns() {
+  return {std::string(topics::kViewCommsPulse)};
+}
 Channel<view_point_t> ViewPoint() { return {std::string(topics::kViewPoint)}; }
 Channel<view_polygon_t> ViewPolygon() { return {std::string(topics::kViewPolygon)}; }
 Channel<view_seglist_t> ViewSeglist() { return {std::string(topics::kViewSeglist)}; }
@@ -189,7 +192,7 @@ std::vector<ChannelRow> MakeTable() {
        "with [[medium]]: steps with decisions", true},
       {topics::kCommsRules, kShore, "broker_rules_t", "shore_broker", "viewer, (shoal rebroker)",
        "at its start and when a rule changes", true},
-      {topics::kViewCommsPulse, kShore, "comms_pulses_t", "shore_broker", "viewer",
+      {topics::kViewCommsPulse, kShore, "comms_pulse_columns_t", "shore_broker", "viewer",
        "steps with deliveries", true},
       {topics::kViewPoint, kShore, "view_point_t", "your programs", "viewer, (shoal plot)",
        "when needed", true},

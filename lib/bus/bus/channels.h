@@ -12,6 +12,7 @@
 
 #include "lib/bus/bus/bus.h"
 #include "lib/bus/bus/fate_columns.h"
+#include "lib/bus/bus/pulse_columns.h"
 #include "lib/comms/routing/control.h"
 #include "shoal/ack_message_t.hpp"
 #include "shoal/acomms_t.hpp"
@@ -26,7 +27,6 @@
 #include "shoal/clock_command_t.hpp"
 #include "shoal/clock_state_t.hpp"
 #include "shoal/comms_media_t.hpp"
-#include "shoal/comms_pulses_t.hpp"
 #include "shoal/comms_rules_req_t.hpp"
 #include "shoal/desired_t.hpp"
 #include "shoal/guidance_t.hpp"
@@ -165,7 +165,8 @@ Channel<comms_fate_columns_t> CommsFateColumns();  ///< The same, to publish.
 Channel<comms_media_t> CommsMedia();
 Channel<broker_rules_t> CommsRules();
 Channel<broker_rules_t> CommsRulesNow();
-Channel<comms_pulses_t> ViewCommsPulse();
+Channel<comms_pulses_t> ViewCommsPulse();  ///< To subscribe to: lib/bus/bus/pulse_columns.h.
+Channel<comms_pulse_columns_t> ViewCommsPulseColumns();  ///< The same, to publish.
 Channel<view_point_t> ViewPoint();
 Channel<view_polygon_t> ViewPolygon();
 Channel<view_seglist_t> ViewSeglist();

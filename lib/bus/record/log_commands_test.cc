@@ -161,6 +161,23 @@ TEST_F(LogCat_, PrintsOneLinePerMessage) {
   EXPECT_EQ(err_.str(), "");
 }
 
+TEST_F(LogCat_, PrintsPulsesInColumnsAsTheListThatTheyStandFor) {
+  comms_pulse_columns_t columns{};
+  columns.num_ends = 2;
+  columns.ends = {{"ALPHA", 1, 2}, {"BRAVO", 3, 4}};
+  columns.num_styles = columns.num_pulses = 1;
+  columns.styles.resize(1);
+  columns.styles[0].ptype = "nrep";
+  columns.source = columns.style = {0};
+  columns.destination = {1};
+  columns.beam_width_m = {5};
+  const std::string path = Log("a.lcm", {{0, "VIEW_COMMS_PULSE", Encoded(columns)}});
+  EXPECT_EQ(Cat({.path = path}),
+            "0.000 VIEW_COMMS_PULSE comms_pulses_t pulses=[{sx_m=1 sy_m=2 tx_m=3 "
+            "ty_m=4 beam_width_m=5 duration_s=0 fill=0 label=ALPHA2BRAVO ptype=nrep "
+            "fill_color=\"\" edge_color=\"\" edge_size=0}]\n");
+}
+
 TEST_F(LogCat_, SelectsChannelsTimesAndLines) {
   std::vector<TestEvent> events;
   for (int i = 0; i < 5; ++i) {

@@ -6,6 +6,7 @@
 
 #include "lcmtypes/lcm_sources.h"
 #include "lib/bus/bus/fate_columns.h"
+#include "lib/bus/bus/pulse_columns.h"
 #include "lib/bus/bus/seal.h"
 #include "lib/bus/record/file_window.h"
 
@@ -65,10 +66,15 @@ RecognisedMessage RecogniseAsList(const Schema& schema, std::span<const uint8_t>
                                   Bytes* storage) {
   RecognisedMessage message = Recognise(schema, logged);
   if (!message.IsDecodable()) return message;
-  const std::span<const uint8_t> list = WithFatesAsList(message.data, storage);
-  if (list.data() == message.data.data()) return message;
-  message.data = list;
-  message.type = schema.FindByFingerprint(comms_fates_t::getHash());
+  const auto take = [&](std::span<const uint8_t> list, int64_t fingerprint) {
+    if (list.data() == message.data.data()) return false;
+    message.data = list;
+    message.type = schema.FindByFingerprint(fingerprint);
+    return true;
+  };
+  if (!take(WithFatesAsList(message.data, storage), comms_fates_t::getHash())) {
+    take(WithPulsesAsList(message.data, storage), comms_pulses_t::getHash());
+  }
   return message;
 }
 

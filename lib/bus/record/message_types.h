@@ -27,8 +27,8 @@ struct RecognisedMessage {
 
 RecognisedMessage Recognise(const Schema& schema, std::span<const uint8_t> logged);
 
-/// The same for what shows messages: one that has fates as columns becomes one that lists them
-/// (lib/bus/bus/fate_columns.h), as all logs had them, in `storage`.
+/// The same for what shows messages: one that has fates or pulses as columns becomes one that lists
+/// them (lib/bus/bus/fate_columns.h, pulse_columns.h), as all logs had them, in `storage`.
 RecognisedMessage RecogniseAsList(const Schema& schema, std::span<const uint8_t> logged,
                                   Bytes* storage);
 

@@ -30,7 +30,7 @@ constexpr double kNavigation_bytes = 230;
 constexpr double kSonarBeam_bytes = 24;
 constexpr double kReport_bytes = 182;
 constexpr double kFate_bytes = 16;
-constexpr double kPulse_bytes = 118;
+constexpr double kPulse_bytes = 20;
 constexpr double kSwarm_bytes = 60;
 constexpr double kSwarmContact_bytes = 120;
 

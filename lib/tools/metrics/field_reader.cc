@@ -8,6 +8,7 @@
 #include "lib/base/schema/walk.h"
 #include "lib/bus/bus/big_endian.h"
 #include "lib/bus/bus/fate_columns.h"
+#include "lib/bus/bus/pulse_columns.h"
 #include "lib/bus/record/message_types.h"
 #include "lib/mission/toml/suggest.h"
 
@@ -109,8 +110,9 @@ const Schema& ShoalTypes() {
 
 Result<FieldReader> FieldReader::Find(const Schema& schema, std::string_view type,
                                       std::string_view path) {
-  // Fates are named as the list has them, whichever form they are published in.
+  // Fates and pulses are named as the list has them, whichever form they are published in.
   if (type == "comms_fate_columns_t") type = "comms_fates_t";
+  if (type == "comms_pulse_columns_t") type = "comms_pulses_t";
   const StructType* level = schema.FindByName(fmt::format("shoal.{}", type));
   if (level == nullptr) return Error{fmt::format("there is no message type {}", Quoted(type))};
   FieldReader reader(schema, *level);
@@ -170,6 +172,9 @@ std::optional<double> FieldReader::Read(std::span<const uint8_t> message) const 
   if (type_->fingerprint == comms_fates_t::getHash()) {
     thread_local Bytes storage;
     message = WithFatesAsList(message, &storage);
+  } else if (type_->fingerprint == comms_pulses_t::getHash()) {
+    thread_local Bytes storage;
+    message = WithPulsesAsList(message, &storage);
   }
   if (!offset_) {
     PartFinder finder(parts_);

@@ -6,6 +6,7 @@
 
 #include "lib/bus/bus/bus.h"
 #include "shoal/comms_fates_t.hpp"
+#include "shoal/comms_pulse_columns_t.hpp"
 #include "shoal/helm_state_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
@@ -89,6 +90,16 @@ TEST(FieldReader, ReadsListsWithinLists) {
   fates.fates[1].path[0].bits_flipped = 9;
   EXPECT_EQ(Read("comms_fates_t", "fates[1].path[0].bits_flipped", Encoded(fates)), 9);
   EXPECT_EQ(Read("comms_fates_t", "fates[0].path[0].bits_flipped", Encoded(fates)), std::nullopt);
+  comms_pulse_columns_t pulses{};
+  pulses.num_ends = pulses.num_styles = pulses.num_pulses = 1;
+  pulses.ends = {{"ALPHA", 3.5, 4}};
+  pulses.styles.resize(1);
+  pulses.source = pulses.destination = pulses.style = {0};
+  pulses.beam_width_m = {12};
+  for (const char* type : {"comms_pulses_t", "comms_pulse_columns_t"}) {
+    EXPECT_EQ(Read(type, "pulses[0].tx_m", Encoded(pulses)), 3.5) << "columns count as a list";
+    EXPECT_EQ(Read(type, "num_pulses", Encoded(pulses)), 1);
+  }
 }
 
 TEST(FieldReader, ReadsNothingOfOtherOrDamagedMessages) {

@@ -8,6 +8,7 @@
 #include "lib/tools/view/stable_id.h"
 #include "lib/tools/view/view_limits.h"
 #include "lib/tools/view/wire_reader.h"
+#include "shoal/comms_pulse_columns_t.hpp"
 #include "shoal/comms_pulses_t.hpp"
 
 namespace shoal {
@@ -73,33 +74,140 @@ void Fill(const WirePulse& wire, int64_t utime, int64_t order, ViewPulse* pulse)
   pulse->color = wire.color;
 }
 
-/// Returns the number of pulses of a whole message, or -1.
-int64_t CountPulses(WireReader wire) {
-  const size_t count = wire.Count(kLeastPulseBytes);
-  for (size_t i = 0; i < count && wire.ok(); ++i) ReadPulse(&wire);
-  return wire.ok() && wire.at_end() ? static_cast<int64_t>(count) : -1;
-}
+/// Reads the pulses of a list one after the other.
+class ListedPulses {
+ public:
+  /// Reads all of them in `wire`, which then shows whether they are whole.
+  explicit ListedPulses(WireReader* wire) : count_(wire->Count(kLeastPulseBytes)), wire_(*wire) {
+    for (size_t i = 0; i < count_ && wire->ok(); ++i) ReadPulse(wire);
+  }
+
+  size_t count() const { return count_; }
+  WirePulse Next() { return ReadPulse(&wire_); }
+
+ private:
+  size_t count_;
+  WireReader wire_;  ///< Of the next one.
+};
+
+/// The same of columns: as ListOf (lib/bus/bus/pulse_columns.h), without copies of all texts.
+class ColumnsOfPulses {
+ public:
+  explicit ColumnsOfPulses(WireReader* wire) {
+    ends_.resize(wire->Count(kLeastEndBytes));
+    for (End& end : ends_) {
+      end.vehicle = wire->Text().substr(0, kMaxLabel);
+      end.x_m = wire->Double();
+      end.y_m = wire->Double();
+    }
+    styles_.resize(wire->Count(kLeastStyleBytes));
+    for (Style& style : styles_) {
+      style.duration_s = wire->Double();
+      style.fill = wire->Double();
+      style.label_end = wire->Text().substr(0, kMaxLabel);
+      style.ptype = wire->Text();
+      style.color = wire->Text().substr(0, kMaxColor);
+      wire->Text();    // The edge's colour,
+      wire->Double();  // and its width.
+    }
+    pulses_.resize(wire->Count(kPulseBytes));
+    for (Row& row : pulses_) row.source = wire->Int16();
+    for (Row& row : pulses_) row.destination = wire->Int16();
+    for (Row& row : pulses_) row.style = wire->Int16();
+    for (Row& row : pulses_) row.width_m = wire->Double();
+  }
+
+  size_t count() const { return pulses_.size(); }
+  /// Returns true where each index is one.
+  bool AreSound() const {
+    const auto is_in = [](int16_t index, const auto& rows) {
+      return index >= 0 && static_cast<size_t>(index) < rows.size();
+    };
+    return std::ranges::all_of(pulses_, [&](const Row& row) {
+      return is_in(row.source, ends_) && is_in(row.destination, ends_) && is_in(row.style, styles_);
+    });
+  }
+  /// The pulse's label lives until the next call. @pre AreSound()
+  WirePulse Next() {
+    const Row& row = pulses_[next_++];
+    const End& source = ends_[static_cast<size_t>(row.source)];
+    const End& destination = ends_[static_cast<size_t>(row.destination)];
+    const Style& style = styles_[static_cast<size_t>(row.style)];
+    label_ = source.vehicle;
+    label_ += '2';
+    label_ += destination.vehicle;
+    label_ += style.label_end;
+    return {.sx_m = source.x_m,
+            .sy_m = source.y_m,
+            .tx_m = destination.x_m,
+            .ty_m = destination.y_m,
+            .width_m = row.width_m,
+            .duration_s = style.duration_s,
+            .fill = style.fill,
+            .label = std::string_view(label_).substr(0, kMaxLabel),
+            .ptype = style.ptype,
+            .color = style.color};
+  }
+
+ private:
+  struct End {
+    std::string_view vehicle;
+    double x_m = 0;
+    double y_m = 0;
+  };
+  struct Style {
+    double duration_s = 0;
+    double fill = 0;
+    std::string_view label_end;
+    std::string_view ptype;
+    std::string_view color;
+  };
+  struct Row {
+    int16_t source = 0;
+    int16_t destination = 0;
+    int16_t style = 0;
+    double width_m = 0;
+  };
+  static constexpr size_t kLeastEndBytes = 5 + 2 * 8;
+  static constexpr size_t kLeastStyleBytes = 3 * 8 + 4 * 5;
+  static constexpr size_t kPulseBytes = 3 * 2 + 8;
+
+  std::vector<End> ends_;
+  std::vector<Style> styles_;
+  std::vector<Row> pulses_;
+  size_t next_ = 0;
+  std::string label_;
+};
 
 }  // namespace
 
 bool PulseBook::Add(std::span<const uint8_t> data) {
   WireReader wire(data);
-  if (wire.Int64() != comms_pulses_t::getHash()) return false;
+  const int64_t fingerprint = wire.Int64();
   const int64_t utime = PlausibleUtime(wire.Int64());
-  const int64_t count = CountPulses(wire);
-  if (count < 0) return false;
-  last_utime_ = utime;
-  wire.Int32();
-  for (int64_t i = 0; i < count; ++i) {
-    const WirePulse read = ReadPulse(&wire);
-    ViewPulse* place =
-        CanBeDrawn(read) ? PlaceFor(read.label, read.ptype == "msg", utime) : nullptr;
-    if (place == nullptr) {
-      ++num_left_out_;
-    } else {
-      Fill(read, utime, ++last_order_, place);
+  const auto take = [&](auto* pulses) {
+    last_utime_ = utime;
+    for (size_t i = 0; i < pulses->count(); ++i) {
+      const WirePulse read = pulses->Next();
+      ViewPulse* place =
+          CanBeDrawn(read) ? PlaceFor(read.label, read.ptype == "msg", utime) : nullptr;
+      if (place == nullptr) {
+        ++num_left_out_;
+      } else {
+        Fill(read, utime, ++last_order_, place);
+      }
     }
+  };
+  if (fingerprint == comms_pulse_columns_t::getHash()) {
+    ColumnsOfPulses columns(&wire);
+    if (!wire.ok() || !wire.at_end() || !columns.AreSound()) return false;
+    take(&columns);
+    return true;
   }
+  if (fingerprint != comms_pulses_t::getHash()) return false;
+  ListedPulses listed(&wire);
+  if (!wire.ok() || !wire.at_end()) return false;
+  take(&listed);
   return true;
 }
 

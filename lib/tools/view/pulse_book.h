@@ -32,9 +32,9 @@ class PulseBook {
  public:
   static constexpr size_t kMaxPulses = 4000;
 
-  /// Takes an encoded comms_pulses_t; each pulse replaces that of its label. Returns false, and
-  /// takes nothing, for bytes that are not one whole such message. Where there is no room, messages
-  /// replace reports.
+  /// Takes an encoded comms_pulse_columns_t or comms_pulses_t; each pulse replaces that of its
+  /// label. Returns false, and takes nothing, for bytes that are not one whole such message. Where
+  /// there is no room, messages replace reports.
   [[nodiscard]] bool Add(std::span<const uint8_t> data);
 
   /// Returns those that are not over at `utime`, the oldest first.

@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 
 #include "lib/tools/view/view_testing.h"
+#include "shoal/comms_pulse_columns_t.hpp"
 
 namespace shoal::pulse_book_test {
 
@@ -25,6 +27,80 @@ TEST(PulseBook, KeepsAPulseUntilItIsOver) {
   EXPECT_EQ(pulse.width_m, 10);
   EXPECT_EQ(book.NotOver(11 * kSecond_us - 1).size(), 1U);
   EXPECT_TRUE(book.NotOver(11 * kSecond_us).empty());
+}
+
+/// The columns that a list stands for, with an end for each pulse's source and destination.
+comms_pulse_columns_t ColumnsOf(const comms_pulses_t& list) {
+  comms_pulse_columns_t columns{};
+  columns.utime = list.utime;
+  for (const comms_pulse_t& pulse : list.pulses) {
+    const size_t two = pulse.label.find('2');
+    const size_t end = std::min(pulse.label.find('_'), pulse.label.size());
+    columns.ends.push_back({pulse.label.substr(0, two), pulse.sx_m, pulse.sy_m});
+    columns.ends.push_back({pulse.label.substr(two + 1, end - two - 1), pulse.tx_m, pulse.ty_m});
+    pulse_style_t style{};
+    style.duration_s = pulse.duration_s;
+    style.fill = pulse.fill;
+    style.label_end = pulse.label.substr(end);
+    style.ptype = pulse.ptype;
+    style.fill_color = pulse.fill_color;
+    columns.styles.push_back(style);
+    columns.style.push_back(static_cast<int16_t>(columns.source.size()));
+    columns.source.push_back(static_cast<int16_t>(columns.ends.size() - 2));
+    columns.destination.push_back(static_cast<int16_t>(columns.ends.size() - 1));
+    columns.beam_width_m.push_back(pulse.beam_width_m);
+  }
+  columns.num_ends = static_cast<int32_t>(columns.ends.size());
+  columns.num_styles = static_cast<int32_t>(columns.styles.size());
+  columns.num_pulses = static_cast<int32_t>(columns.source.size());
+  return columns;
+}
+
+TEST(PulseBook, ReadsColumnsAsTheListThatTheyStandFor) {
+  const comms_pulses_t list =
+      PulsesOf(kSecond_us, {PulseOf("A2B", "nrep", 10), PulseOf("LONG2OTHER_MSG", "msg", 3)});
+  PulseBook of_list;
+  PulseBook of_columns;
+  ASSERT_TRUE(of_list.Add(Encoded(list)));
+  ASSERT_TRUE(of_columns.Add(Encoded(ColumnsOf(list))));
+  EXPECT_EQ(of_columns.last_utime(), kSecond_us);
+  const auto expected = of_list.NotOver(kSecond_us);
+  const auto read = of_columns.NotOver(kSecond_us);
+  ASSERT_EQ(read.size(), 2U);
+  for (size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read[i]->id, expected[i]->id);
+    EXPECT_EQ(read[i]->label, expected[i]->label);
+    EXPECT_EQ(read[i]->color, expected[i]->color);
+    EXPECT_EQ(read[i]->of_message, expected[i]->of_message);
+    EXPECT_EQ(read[i]->sx_m, expected[i]->sx_m);
+    EXPECT_EQ(read[i]->sy_m, expected[i]->sy_m);
+    EXPECT_EQ(read[i]->tx_m, expected[i]->tx_m);
+    EXPECT_EQ(read[i]->ty_m, expected[i]->ty_m);
+    EXPECT_EQ(read[i]->width_m, expected[i]->width_m);
+    EXPECT_EQ(read[i]->duration_s, expected[i]->duration_s);
+    EXPECT_EQ(read[i]->fill, expected[i]->fill);
+  }
+}
+
+TEST(PulseBook, TakesNothingOfColumnsThatDoNotFitOneAnother) {
+  const comms_pulse_columns_t sound = ColumnsOf(PulsesOf(0, {PulseOf("A2B", "nrep", 10)}));
+  PulseBook book;
+  for (int16_t* (*index)(comms_pulse_columns_t*) :
+       {+[](comms_pulse_columns_t* columns) { return &columns->source[0]; },
+        +[](comms_pulse_columns_t* columns) { return &columns->destination[0]; },
+        +[](comms_pulse_columns_t* columns) { return &columns->style[0]; }}) {
+    for (const int16_t wrong : {int16_t{-1}, int16_t{2}}) {
+      comms_pulse_columns_t columns = sound;
+      *index(&columns) = wrong;
+      EXPECT_FALSE(book.Add(Encoded(columns)));
+    }
+  }
+  Bytes cut = Encoded(sound);
+  cut.pop_back();
+  EXPECT_FALSE(book.Add(cut));
+  cut.resize(cut.size() + 2);
+  EXPECT_FALSE(book.Add(cut));
+  EXPECT_EQ(book.last_order(), 0);
 }
 
 TEST(PulseBook, ReplacesThePulseOfTheSameLabel) {
