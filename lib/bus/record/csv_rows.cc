@@ -226,7 +226,7 @@ class RowCollector : public Visitor {
 
   const Schema& schema_;
   Element message_;
-  std::vector<Element*> rows_ = {&message_};  ///< That are being filled, outermost first.
+  std::vector<Element*> rows_ = {&message_};  ///< The elements being filled, outermost first.
   OpenTypes open_types_;
   std::vector<Part> open_;        ///< Outermost first.
   Shape shape_ = Shape::kNested;  ///< Of the member that began last.
@@ -254,7 +254,7 @@ CsvTable AddInOrder(const Columns& columns, std::vector<CsvColumn>* all) {
   return table;
 }
 
-/// Where a row of an element is in the arrays within it.
+/// The place of one row of an element in the arrays within that element.
 struct Place {
   size_t index = 0;  ///< Into the arrays; their greatest length where the row is behind all.
   size_t row = 0;    ///< Among the rows of that index.
@@ -267,7 +267,7 @@ Place FindPlace(const Element& element, size_t row) {
           .row = row - (end == ends.begin() ? 0 : *std::prev(end))};
 }
 
-/// Appends what the arrays within `element` have there.
+/// Appends the cells of the arrays within `element` at that place.
 void AppendTables(const std::vector<CsvTable>& layout, const Element& element, Place place,
                   std::string* out) {
   for (size_t t = 0; t < layout.size(); ++t) {

@@ -49,13 +49,13 @@ struct CsvColumn {
 /// How the messages of one type become rows. Lines end in a line feed alone.
 class CsvLayout {
  public:
-  /// `extra_keys`: of the user's own fields that have a column.
+  /// `extra_keys`: the keys of the user's own fields that get a column.
   /// @pre type is one of schema.types(), and both outlive this.
   CsvLayout(const Schema& schema, const StructType& type, std::vector<std::string> extra_keys = {});
 
   /// The names of the columns, as a line.
   const std::string& header() const { return header_; }
-  /// The same with what each holds. No name is there twice.
+  /// The columns with the kind of value that each holds. No name is there twice.
   const std::vector<CsvColumn>& columns() const { return columns_; }
 
   /// Appends the rows of the message that `bytes` are.
@@ -71,7 +71,7 @@ class CsvLayout {
   std::vector<CsvTable> tables_;
 };
 
-/// Takes the next row from `rows`, lines as AppendRows makes them; false where there is none.
+/// Takes the next row from `rows`, which AppendRows has made; false: no row is left.
 [[nodiscard]] bool TakeCsvRow(std::string_view* rows, std::vector<std::string>* cells);
 
 /// Appends one cell as UTF-8, in quotes where RFC 4180 asks for them.

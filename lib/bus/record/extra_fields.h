@@ -22,7 +22,7 @@ namespace shoal {
 /// Keys and values, which point into the message.
 using ExtraFields = std::vector<std::pair<std::string_view, std::string_view>>;
 
-/// Returns those of a message.
+/// Returns the fields of a message.
 /// @pre FindWireFault() finds none.
 [[nodiscard]] ExtraFields ExtraFieldsOf(const Schema& schema, const StructType& type,
                                         std::span<const uint8_t> message);
@@ -31,8 +31,8 @@ using ExtraFields = std::vector<std::pair<std::string_view, std::string_view>>;
 struct ExtraKeys {
   static constexpr size_t kMaxKeys = 64;  ///< Further keys have no columns; rows have all.
 
-  std::vector<std::string> keys = {};      ///< In the order in which they came, as UTF-8.
-  std::vector<int64_t> num_messages = {};  ///< That have the key; one for each of `keys`.
+  std::vector<std::string> keys = {};      ///< In order of appearance, as UTF-8.
+  std::vector<int64_t> num_messages = {};  ///< For each of `keys`, how many messages have it.
   int64_t num_all_messages = 0;
 
   /// Returns the keys that every message has.

@@ -17,7 +17,7 @@
 
 namespace shoal {
 
-/// Which events of a log.
+/// Chooses events of a log.
 struct LogSelection {
   std::vector<std::string> channels = {};       ///< Globs with * ? [a-z]; empty: all.
   std::vector<std::string> without = {};        ///< The same; they win over `channels`.
@@ -32,7 +32,7 @@ struct LogInfoOptions {
   std::string path;
   std::vector<std::string> types = {};              ///< .lcm files of types that are not shoal's.
   std::function<void(double share)> progress = {};  ///< Called now and then while it reads.
-  /// What was counted in a log with as many bytes is kept beside it (index_file.h), and used.
+  /// The counts of a log with at least as many bytes are kept beside it (index_file.h), and used.
   uint64_t least_indexed_bytes = kLeastIndexedLog_bytes;
 };
 

@@ -34,7 +34,7 @@ bool IsLeftOut(const LogDiffOptions& options, std::string_view channel) {
   });
 }
 
-/// Takes what a log states of its arithmetic, in its first COMMS_RULES.
+/// Notes the arithmetic that a log was computed with, which its first COMMS_RULES states.
 void TakeArithmetic(const LogEvent& event, std::string* arithmetic) {
   if (!arithmetic->empty() || event.channel != topics::kCommsRules) return;
   if (broker_rules_t rules{}; Decode(event.data, &rules)) *arithmetic = rules.arithmetic;

@@ -105,7 +105,7 @@ void PrintNotes(const std::map<std::string, const ChannelSummary*>& channels, st
   }
 }
 
-/// What is shown of a log.
+/// What LogInfo has found in a log.
 struct LogInfoFound {
   std::string path;  ///< Of the log, as `damage` has it.
   std::map<std::string, ChannelSummary> channels;
@@ -147,7 +147,7 @@ void AppendNames(const std::set<std::string>& names, std::vector<uint8_t>* bytes
   for (const std::string& name : names) AppendSizedText(name, bytes);
 }
 
-/// Takes a text that may be anything, as a terminal may show it.
+/// Takes a text. It is escaped for the terminal: an index may hold anything.
 bool TakeShown(LittleEndianReader* reader, std::string* text) {
   if (!reader->TakeSizedText(text) || text->size() > kMaxInfoText_bytes) return false;
   *text = TerminalText(*text);
@@ -184,7 +184,7 @@ std::vector<uint8_t> InfoBytes(const LogInfoFound& found) {
   return bytes;
 }
 
-/// Returns what InfoBytes has written; nothing for bytes that it cannot have.
+/// Reads what InfoBytes has written; nothing for bytes that InfoBytes cannot have written.
 std::optional<LogInfoFound> InfoFrom(std::span<const uint8_t> bytes) {
   constexpr int64_t kMost = std::numeric_limits<int64_t>::max() / int64_t{kMaxInfoChannels};
   LittleEndianReader reader(bytes);
@@ -219,7 +219,7 @@ std::optional<LogInfoFound> InfoFrom(std::span<const uint8_t> bytes) {
   return reader.num_left() == 0 ? std::optional(std::move(found)) : std::nullopt;
 }
 
-/// What is counted depends on which types are known.
+/// Returns the key of the part in the index: what is counted depends on the types that are known.
 std::string InfoKey(const Schema& schema) {
   std::string names;
   for (const StructType& type : schema.types()) {

@@ -34,8 +34,8 @@ constexpr double kPulse_bytes = 20;
 constexpr double kSwarm_bytes = 60;
 constexpr double kSwarmContact_bytes = 120;
 
-/// Of reports that go over a medium this share arrives: a shared acoustic network loses most of
-/// several in a second.
+/// The share of reports over a medium that arrives: a shared acoustic network loses most of them if
+/// several are sent in a second.
 constexpr double kShareOverMedia = 0.1;
 
 bool IsRun(Provider provider) { return provider != Provider::kNone; }
@@ -143,7 +143,7 @@ void AddReports(const Mission& mission, Sum* sum) {
              mission.duration_s * std::min(to.reporter_options.rate_hz, steps_per_s),
              kReport_bytes);
   }
-  // Those of a step share a message; the heads of these are small beside them.
+  // The items of a step share a message, whose head is small beside them.
   const auto add_lists = [&](const std::string& channel, double num_items, double item_bytes) {
     if (num_items > 0) sum->Add(channel, 1, num_items * item_bytes);
   };

@@ -34,8 +34,8 @@ struct LogPlan {
   double bytes = 0;       ///< Of the log, not compressed.
   double file_bytes = 0;  ///< Of the file.
   bool is_compressed = false;
-  /// One line each: the disk may not hold it; a name or pattern stands for no channel of the
-  /// mission.
+  /// One line for each problem: the disk may not hold the log, or a name or pattern matches no
+  /// channel of the mission.
   std::vector<std::string> warnings = {};
 };
 

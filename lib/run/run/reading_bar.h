@@ -17,7 +17,7 @@ class ReadingBar {
   ReadingBar(const ReadingBar&) = delete;
   ReadingBar& operator=(const ReadingBar&) = delete;
 
-  /// Of 1 and more the bar goes.
+  /// Shows the share of the log that was read; removes the bar at 1.
   void Show(double share);
 
  private:
