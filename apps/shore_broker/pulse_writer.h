@@ -29,7 +29,7 @@ struct Pulse {
 
 class PulseWriter {
  public:
-  /// Fits one datagram, as with fates; as a list too, which older programs publish again.
+  /// A message fits one datagram, even as the list that readers make of it: 115 bytes a pulse.
   static constexpr int32_t kMaxPulsesPerMessage = 350;
 
   explicit PulseWriter(Bus& bus);
