@@ -56,13 +56,15 @@ Result<FieldName> ParseFieldName(std::string_view text) {
   return FieldName{std::string(text.substr(0, colon)), std::string(text.substr(colon + 1))};
 }
 
-std::vector<Leaf> LeavesOf(std::span<const uint8_t> logged, std::string* type) {
+std::string TypeNameOf(std::span<const uint8_t> logged) {
+  const RecognisedMessage message = Recognise(ShoalTypes(), logged);
+  return message.type == nullptr ? DescribeFingerprint(message.data) : DisplayName(*message.type);
+}
+
+std::vector<Leaf> LeavesOf(std::span<const uint8_t> logged) {
+  if (logged.size() > ChannelSource::kMaxMessage_bytes) return {};
   Bytes storage;
   const RecognisedMessage message = RecogniseAsList(ShoalTypes(), logged, &storage);
-  if (type != nullptr) {
-    *type =
-        message.type == nullptr ? DescribeFingerprint(message.data) : DisplayName(*message.type);
-  }
   if (!message.IsDecodable()) return {};
   return Leaves(ShoalTypes(), *message.type, message.data);
 }
@@ -100,12 +102,11 @@ std::string ChannelListJson(const std::vector<ChannelFacts>& channels,
 }
 
 std::string MessageJsonOf(const ShownMessage& message) {
-  std::string type;
-  const std::vector<Leaf> leaves = LeavesOf(message.data, &type);
+  const std::vector<Leaf> leaves = LeavesOf(message.data);
   JsonWriter json;
   json.BeginObject()
       .Text("channel", message.channel)
-      .Text("type", type)
+      .Text("type", TypeNameOf(message.data))
       .Number("t", message.t_s, kMilliseconds)
       .Integer("bytes", static_cast<int64_t>(message.data.size()))
       .Key("fields")
@@ -135,7 +136,7 @@ FieldSearch::FieldSearch(std::string_view text) {
 }
 
 bool FieldSearch::Take(const std::string& channel, std::span<const uint8_t> message) {
-  for (const Leaf& leaf : LeavesOf(message, nullptr)) {
+  for (const Leaf& leaf : LeavesOf(message)) {
     std::string name = fmt::format("{}:{}", channel, leaf.path);
     const std::string lower = Lower(name);
     const bool has_all = std::ranges::all_of(

@@ -22,6 +22,7 @@ class ChannelSource {
   static constexpr size_t kMaxFields = 100;   ///< Of a search.
   static constexpr size_t kMaxPoints = 1500;  ///< Of a series.
   static constexpr size_t kLongestText = 200;
+  static constexpr size_t kMaxMessage_bytes = 256 << 10;  ///< Of one that is decoded.
 
   virtual ~ChannelSource() = default;
 
@@ -56,9 +57,12 @@ struct FieldName {
 /// Returns the two parts of "NAV_ALPHA:x_m"; the error states what is missing.
 [[nodiscard]] Result<FieldName> ParseFieldName(std::string_view text);
 
-/// Returns all values of a message in wire order; none of one that cannot be decoded. `type`, where
-/// it is asked for, is the type's name, or what is known instead.
-[[nodiscard]] std::vector<Leaf> LeavesOf(std::span<const uint8_t> logged, std::string* type);
+/// Returns the name of a message's type, or what is known instead: its fingerprint.
+[[nodiscard]] std::string TypeNameOf(std::span<const uint8_t> logged);
+
+/// Returns all values of a message in wire order; none of one that cannot be decoded, or is longer
+/// than kMaxMessage_bytes.
+[[nodiscard]] std::vector<Leaf> LeavesOf(std::span<const uint8_t> logged);
 
 /// Returns the value at `path`, as text; with "[]" in it the values of all such elements, each
 /// once, joined.

@@ -43,6 +43,18 @@ TEST(Message, OfUnknownBytesShowsItsFingerprintAndNoValues) {
   EXPECT_TRUE(message["fields"].empty());
 }
 
+TEST(Message, ThatIsVeryLongIsNotDecoded) {
+  view_polygon_t polygon{};
+  polygon.num_points = 100'000;
+  polygon.x_m.resize(100'000);
+  polygon.y_m.resize(100'000);
+  const Bytes bytes = Encoded(polygon);
+  const json message = json::parse(
+      MessageJsonOf({.channel = "VIEW_POLYGON", .t_s = 1, .data = {bytes.begin(), bytes.end()}}));
+  EXPECT_EQ(message["type"], "view_polygon_t");
+  EXPECT_TRUE(message["fields"].empty());
+}
+
 TEST(Value, IsFoundByItsPathAndJoinedOverAllElements) {
   const std::vector<Leaf> leaves = {{.path = "n", .text = "7"},
                                     {.path = "aims[0].name", .text = "a"},

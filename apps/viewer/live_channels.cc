@@ -37,7 +37,7 @@ void LiveChannels::Take(std::string_view name, std::span<const uint8_t> data, do
   std::vector<Leaf> leaves;
   for (auto& [field, series] : series_) {
     if (series.name.channel != name) continue;
-    if (leaves.empty()) leaves = LeavesOf(data, nullptr);
+    if (leaves.empty()) leaves = LeavesOf(data);
     auto value = ValueAt(leaves, series.name.path);
     if (!value) continue;
     series.points.push_back({.t_s = t_s, .value = std::move(*value)});
@@ -57,7 +57,7 @@ std::string LiveChannels::ChannelsJson(double /*t_s*/) {
                      .count = channel.count,
                      .rate_hz = span_s > 0 ? static_cast<double>(times.size() - 1) / span_s : 0,
                      .last_s = times.back()});
-    const std::vector<Leaf> unused = LeavesOf(channel.last, &types.emplace_back());
+    types.push_back(TypeNameOf(channel.last));
   }
   return ChannelListJson(facts, types);
 }

@@ -21,7 +21,6 @@ class LiveChannels : public ChannelSource {
  public:
   static constexpr int64_t kLookLasts_us = 5'000'000;
   static constexpr size_t kMaxChannels = 5'000;
-  static constexpr size_t kMaxMessage_bytes = 256 << 10;
   static constexpr size_t kMaxSeries = 64;
   static constexpr size_t kMaxKept = 20'000;  ///< Values of a series.
 

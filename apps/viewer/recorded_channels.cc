@@ -100,10 +100,7 @@ std::string RecordedChannels::ChannelsJson(double t_s) {
                      .rate_hz = recent / std::clamp(now_s, 1.0, kRateWindow_s),
                      .last_s = last_s});
     const auto message = Read(name, channel.places[until - 1]);
-    types.emplace_back();
-    if (message) {
-      const std::vector<Leaf> unused = LeavesOf(message->data, &types.back());
-    }
+    types.push_back(message ? TypeNameOf(message->data) : "");
   }
   return ChannelListJson(facts, types);
 }
@@ -145,7 +142,7 @@ Result<std::string> RecordedChannels::SeriesJson(const std::string& field, doubl
   for (size_t i = begin; i < end; i += step) {
     const auto message = Read(name->channel, (*places)->places[i]);
     if (!message) continue;
-    auto value = ValueAt(LeavesOf(message->data, nullptr), name->path);
+    auto value = ValueAt(LeavesOf(message->data), name->path);
     if (value) points.push_back({.t_s = message->t_s, .value = std::move(*value)});
   }
   return SeriesJsonOf(field, points);

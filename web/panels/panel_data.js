@@ -8,6 +8,7 @@ import {age, clip, missionTime, quantity} from '../page/text.js';
 
 const kWindows_s = [30, 120, 600, 3600, 86400];
 const kMaxRows = 300;
+const kMaxFound = 30;
 
 /** Has `name` all words of `text`, whatever their case? */
 export function hasWords(name, text) {
@@ -44,7 +45,9 @@ export class DataPanel {
     this.search = element('input', {type: 'search', id: 'data-search', autocomplete: 'off',
       placeholder: 'nav x_m', 'aria-label': 'Search channels and fields', maxlength: 100,
       oninput: () => this.#searchAgain()});
-    this.found = element('ul', {id: 'fields', class: 'fields', 'aria-label': 'Fields found'});
+    const found = element('ul', {class: 'fields', 'aria-label': 'Fields found'});
+    this.found = new KeyedList(found, (field) => this.#field(field));
+    this.foundNote = element('p', {class: 'dim', role: 'status'});
     this.note = element('p', {class: 'dim', role: 'status'});
     const body = element('tbody');
     this.rows = new KeyedList(body, (name) => this.#row(name));
@@ -61,8 +64,9 @@ export class DataPanel {
       element('section', {}, element('h3', {}, 'Charts of any field'),
         element('p', {class: 'buttons'}, element('label', {class: 'dim'}, 'The last ', this.window),
           element('label', {class: 'dim'}, 'Add to ', this.into), this.states), this.plotPlace),
-      element('section', {}, element('h3', {}, 'Channels'), this.search, this.note, this.found,
-        element('div', {class: 'list-scroll'}, this.table)), this.message);
+      element('section', {}, element('h3', {}, 'Channels'), this.search, this.note,
+        element('div', {id: 'fields'}, found, this.foundNote),
+        element('div', {class: 'channel-scroll'}, this.table)), this.message);
     const at = () => (page.isRecorded ? `@${page.source.t}` : null);
     this.list = new Poller(page.isRecorded ? 300 : 1000, () => this.#askChannels(), at);
     this.last = new Poller(page.isRecorded ? 300 : 500, () => this.#askMessage(), at);
@@ -247,17 +251,22 @@ export class DataPanel {
   async #askFields() {
     const text = this.search.value.trim();
     if (text === '') {
-      this.found.replaceChildren();
+      this.found.clear();
+      setText(this.foundNote, '');
       return;
     }
     const answer = await this.page.requests.get('/api/fields', {text, ...this.page.query()});
     if (text !== this.search.value.trim()) return;
-    const fields = Array.isArray(answer.fields) ? answer.fields.slice(0, 30) : [];
-    this.found.replaceChildren(...fields.map((field) => element('li', {},
-      element('button', {type: 'button', class: 'plain', 'data-field': clip(field, 300),
-        onclick: () => this.add(field)}, `+ ${clip(field, 100)}`))),
-    ...(answer.more || answer.fields?.length > 30 ? [element('li', {class: 'dim'}, 'and more: add a word')]
-      : fields.length === 0 ? [element('li', {class: 'dim'}, 'no field has these words')] : []));
+    const fields = Array.isArray(answer.fields) ? answer.fields : [];
+    this.found.sync(fields.slice(0, kMaxFound), String);
+    setText(this.foundNote, fields.length === 0 ? 'no field has these words'
+      : answer.more || fields.length > kMaxFound ? 'and more: add a word' : '');
+  }
+
+  #field(field) {
+    const root = element('li', {}, element('button', {type: 'button', class: 'plain',
+      'data-field': clip(field, 300), onclick: () => this.add(field)}, `+ ${clip(field, 100)}`));
+    return {root, update: () => {}};
   }
 
   async #askSeries() {
