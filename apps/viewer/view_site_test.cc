@@ -34,6 +34,19 @@ class EchoSource : public ViewSource {
   }
 };
 
+class EchoChannels : public ChannelSource {
+ public:
+  std::string ChannelsJson(double t_s) override { return fmt::format("channels {}", t_s); }
+  Result<std::string> MessageJson(const std::string& channel, double t_s) override {
+    if (channel != "NAV_ALPHA") return Error{"no such channel"};
+    return fmt::format("message {} {}", channel, t_s);
+  }
+  std::string FieldsJson(const std::string& text, double) override { return "fields " + text; }
+  Result<std::string> SeriesJson(const std::string& field, double t_s, double window_s) override {
+    return fmt::format("series {} {} {}", field, t_s, window_s);
+  }
+};
+
 ViewSiteParts Parts(bool is_live) {
   ViewSiteParts parts = {.files = {{"/", {"text/html", "<html>"}}}, .is_live = is_live};
   parts.source = [source = std::make_shared<EchoSource>()] { return source; };
@@ -76,6 +89,29 @@ TEST(ViewSite, AnswersAtTheAddressesOfTheProtocol) {
   EXPECT_EQ(Ask(site, "/api/events"), "events");
   EXPECT_EQ(Ask(site, "/api/verdict"), "verdict");
   EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "alpha", "words": []})"), "alpha");
+}
+
+TEST(ViewSite, AnswersWhatChannelsCarry) {
+  ViewSiteParts parts = Parts(false);
+  parts.channels = [channels = std::make_shared<EchoChannels>()] { return channels; };
+  ViewSite site(std::move(parts));
+  EXPECT_EQ(Ask(site, "/api/channels", {{"t", "2"}}), "channels 2");
+  EXPECT_EQ(Ask(site, "/api/message", {{"channel", "NAV_ALPHA"}, {"t", "2"}}),
+            "message NAV_ALPHA 2");
+  EXPECT_EQ(Ask(site, "/api/fields", {{"text", "nav x_m"}}), "fields nav x_m");
+  EXPECT_EQ(Ask(site, "/api/series", {{"field", "A:b"}, {"t", "2"}, {"window", "60"}}),
+            "series A:b 2 60");
+  EXPECT_EQ(Ask(site, "/api/message", {{"channel", "NAV"}}), "404");
+  EXPECT_EQ(Ask(site, "/api/message"), "400");
+  EXPECT_EQ(Ask(site, "/api/series", {{"field", ""}}), "400");
+  EXPECT_EQ(Ask(site, "/api/series", {{"field", std::string(301, 'a')}}), "400");
+  EXPECT_EQ(Ask(site, "/api/series", {{"field", "A:b"}, {"window", "0"}}), "400");
+  EXPECT_EQ(Ask(site, "/api/series", {{"name", "A:b"}}), "400");
+}
+
+TEST(ViewSite, WithoutChannelsHasNone) {
+  ViewSite site(Parts(false));
+  EXPECT_EQ(Ask(site, "/api/channels"), "404");
 }
 
 TEST(ViewSite, StatesWhatIsWrong) {
