@@ -59,6 +59,39 @@ export class States {
   }
 }
 
+/** How many of `items`, in order, have a `timeOf` that is not later than `t`. */
+function countUntil(items, t, timeOf) {
+  let [low, high] = [0, items.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (timeOf(items[middle]) <= t) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
+/** Things that are seen for a while each. */
+export class Spans {
+  constructor(items, beginOf, endOf) {
+    this.items = [...(items ?? [])].sort((a, b) => beginOf(a) - beginOf(b));
+    this.beginOf = beginOf;
+    this.endOf = endOf;
+    this.longest_s = this.items.reduce(
+      (longest, item) => Math.max(longest, endOf(item) - beginOf(item)), 0);
+  }
+
+  /** Those that have begun at `t` and are not over. */
+  at(t) {
+    const begin = countUntil(this.items, t - this.longest_s - 1e-6, this.beginOf);
+    const end = countUntil(this.items, t, this.beginOf);
+    return this.items.slice(begin, end).filter((item) => t < this.endOf(item));
+  }
+}
+
+const kPacketLasts_s = 10;  // As the viewer's frames have them.
+const lastArrival_s = ({sent, to}) => (
+  to.reduce((last, {arrives}) => Math.max(last, arrives), sent) + kPacketLasts_s);
+
 const mix = (a, b, fraction) => (
   Number.isFinite(a) && Number.isFinite(b) ? a + (b - a) * fraction : a);
 const mixHeading = (a, b, fraction) => {
@@ -96,6 +129,8 @@ export class PageRecording {
     this.media = new Map((data.media ?? []).map(({name, states}) => [name, new States(states)]));
     this.swarms = new Map((data.swarms?.of ?? []).map(
       ({name, states}) => [name, new States(states)]));
+    this.pulses = new Spans(data.pulses, ({t}) => t, ({t, duration}) => t + duration);
+    this.packets = new Spans(data.packets, ({sent}) => sent, lastArrival_s);
     this.fates = (data.fates ?? []).map(fateOf);
     this.received = new Set((data.setup?.causes ?? [])
       .filter(({outcome}) => outcome === 'whole' || outcome === 'damaged').map(({key}) => key));
@@ -148,9 +183,8 @@ export class PageRecording {
       t,
       vehicles: before.vehicles.map((vehicle) => ({
         ...vehicle, nav: blendNav(vehicle.nav, next.get(vehicle.name)?.nav, t, fraction)})),
-      pulses: this.data.pulses.filter((pulse) => pulse.t <= t && t < pulse.t + pulse.duration),
-      packets: this.data.packets.filter(({sent, to}) => sent <= t
-        && t < to.reduce((last, {arrives}) => Math.max(last, arrives), sent) + 10),
+      pulses: this.pulses.at(t),
+      packets: this.packets.at(t),
     };
   }
 
@@ -167,13 +201,7 @@ export class PageRecording {
 
   /** The fates until `t`, the oldest first. */
   #fatesUntil(t) {
-    let [low, high] = [0, this.fates.length];
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (this.fates[middle].t <= t) low = middle + 1;
-      else high = middle;
-    }
-    return this.fates.slice(0, low);
+    return this.fates.slice(0, countUntil(this.fates, t, (fate) => fate.t));
   }
 
   #fatesOf(query) {

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
-import {applyChange, PageRecording, States} from '../../../web/net/page_recording.js';
+import {applyChange, PageRecording, Spans, States} from '../../../web/net/page_recording.js';
 
 test('a change makes a state of the one before it and shares the rest', () => {
   const before = {a: {b: 1}, list: [{x: 1}, {x: 2}], gone: 1};
@@ -28,6 +28,16 @@ test('states come in any order', () => {
   }
   assert.equal(states.at(-1), null);
   assert.equal(new States(null).at(0), null);
+});
+
+test('what lasts a while is seen from its begin to its end, whatever its order', () => {
+  const spans = new Spans([{t: 5, duration: 1}, {t: 0, duration: 20}, {t: 3, duration: 1}],
+    ({t}) => t, ({t, duration}) => t + duration);
+  assert.deepEqual(spans.at(3.5).map(({t}) => t), [0, 3]);
+  assert.deepEqual(spans.at(5).map(({t}) => t), [0, 5]);
+  assert.deepEqual(spans.at(4).map(({t}) => t), [0]);
+  assert.deepEqual(spans.at(20), []);
+  assert.deepEqual(new Spans(undefined, Number, Number).at(1), []);
 });
 
 const vehicleAt = (x, heading) => ({name: 'alpha', nav: {t: 0, x, y: 0, heading, speed: 2, depth: 0},
