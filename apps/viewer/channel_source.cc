@@ -84,6 +84,19 @@ std::optional<std::string> ValueAt(const std::vector<Leaf>& leaves, std::string_
   return fmt::format("{}", fmt::join(values, ", "));
 }
 
+std::optional<Error> FindNoSuchField(const FieldName& name, std::span<const uint8_t> message) {
+  const std::vector<Leaf> leaves = LeavesOf(message);
+  // Arrays may be empty now.
+  if (leaves.empty() || name.path.find('[') != name.path.npos) return std::nullopt;
+  std::vector<std::string_view> paths;
+  for (const Leaf& leaf : leaves) {
+    if (leaf.path == name.path) return std::nullopt;
+    if (paths.size() < ChannelSource::kMaxLeaves) paths.push_back(leaf.path);
+  }
+  return Error{fmt::format("{} has no field {}{}", name.channel, Quoted(name.path),
+                           DidYouMean(name.path, paths))};
+}
+
 std::string ChannelListJson(const std::vector<ChannelFacts>& channels,
                             const std::vector<std::string>& types) {
   JsonWriter json;

@@ -69,6 +69,11 @@ struct FieldName {
 [[nodiscard]] std::optional<std::string> ValueAt(const std::vector<Leaf>& leaves,
                                                  std::string_view path);
 
+/// Returns why a message has no value at `path`; nothing where it has one, or where it cannot be
+/// decoded.
+[[nodiscard]] std::optional<Error> FindNoSuchField(const FieldName& name,
+                                                   std::span<const uint8_t> message);
+
 [[nodiscard]] std::string ChannelListJson(const std::vector<ChannelFacts>& channels,
                                           const std::vector<std::string>& types);
 [[nodiscard]] std::string MessageJsonOf(const ShownMessage& message);

@@ -98,6 +98,9 @@ Result<std::string> LiveChannels::SeriesJson(const std::string& field, double /*
       return Error{fmt::format("pages draw {} fields already; close some charts", kMaxSeries)};
     }
   }
+  if (const auto channel = channels_.find(name->channel); channel != channels_.end()) {
+    if (auto error = FindNoSuchField(*name, channel->second.last)) return *std::move(error);
+  }
   Series& series = series_[field];
   series.name = std::move(*name);
   series.asked_us = asked_us_;

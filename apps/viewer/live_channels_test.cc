@@ -47,11 +47,13 @@ TEST_F(LiveChannelsTest, HaveSeriesFromTheFirstQuestionOn) {
   const json series = json::parse(*channels_.SeriesJson("NAV_ALPHA:x_m", 0, 3));
   EXPECT_EQ(series["t"], json::parse("[8, 9, 10, 11]"));
   EXPECT_EQ(series["value"], json::parse("[80, 90, 100, 110]"));
+  EXPECT_EQ(channels_.SeriesJson("NAV_ALPHA:x_n", 0, 3).error(),
+            "NAV_ALPHA has no field 'x_n' (did you mean 'x_m'?)");
 }
 
 TEST_F(LiveChannelsTest, ForgetSeriesThatNoPageAsksForOnlyWhereOthersNeedTheirPlace) {
   for (size_t i = 0; i < LiveChannels::kMaxSeries; ++i) {
-    ASSERT_TRUE(channels_.SeriesJson("NAV_ALPHA:v" + std::to_string(i), 0, 3).ok());
+    ASSERT_TRUE(channels_.SeriesJson("LATER:v" + std::to_string(i), 0, 3).ok());
   }
   EXPECT_FALSE(channels_.SeriesJson("NAV_ALPHA:x_m", 0, 3).ok());
   now_us += 61'000'000;

@@ -137,6 +137,9 @@ Result<std::string> RecordedChannels::SeriesJson(const std::string& field, doubl
   if (!places.ok()) return Error{places.error()};
   const size_t end = CountUntil(**places, t_s);
   const size_t begin = std::min(CountUntil(**places, t_s - window_s), end);
+  if (const auto last = Read(name->channel, (*places)->places[end == 0 ? 0 : end - 1])) {
+    if (auto error = FindNoSuchField(*name, last->data)) return *std::move(error);
+  }
   const size_t step = std::max<size_t>(1, (end - begin + kMaxPoints - 1) / kMaxPoints);
   std::vector<SeriesPoint> points;
   for (size_t i = begin; i < end; i += step) {

@@ -53,6 +53,8 @@ TEST_F(RecordedChannelsTest, HaveSeriesOfAWindow) {
   ASSERT_TRUE(series.ok()) << series.error();
   EXPECT_EQ(json::parse(*series)["value"], json::parse("[17, 18, 19, 20]"));
   EXPECT_FALSE(channels.SeriesJson("NAV_ALPHA", 2, 1).ok());
+  EXPECT_EQ(channels.SeriesJson("NAV_ALPHA:x_n", 2, 1).error(),
+            "NAV_ALPHA has no field 'x_n' (did you mean 'x_m'?)");
 }
 
 TEST_F(RecordedChannelsTest, OfALongLogKeepEverySecondMessageOrFewer) {

@@ -41,7 +41,8 @@ export class FieldChart {
     const places = answers.map((_, i) => i).filter((i) => isLine(answers[i]));
     answers.forEach((answer, i) => {
       const last = answer?.value?.[answer.value.length - 1];
-      setText(this.values[i], answer === null || answer.t.length === 0 ? 'no values'
+      setText(this.values[i], answer?.error ? clip(answer.error, 120)
+        : answer === null || answer.t.length === 0 ? 'no values'
         : answer.number ? quantity(last, 2, commonUnit([this.fields[i]])) : clip(last, 60));
     });
     this.#showLines(answers, places);

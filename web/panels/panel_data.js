@@ -289,7 +289,9 @@ export class DataPanel {
       const answer = await this.page.requests.get('/api/series', {field, window, ...query});
       return Array.isArray(answer.t) && Array.isArray(answer.value) ? answer : null;
     } catch (error) {
-      if (error.status === 404 || error.status === 400) return null;
+      if (error.status === 404 || error.status === 400) {
+        return {t: [], value: [], number: true, error: error.message};
+      }
       throw error;
     }
   }

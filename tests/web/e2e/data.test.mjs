@@ -81,11 +81,18 @@ test('a field is removed, and with its last one the chart', async () => {
   await until('one chart', async () => await page.locator('.field-chart').count() === 1);
 });
 
+test('a field that is not there is named, with one that is', async () => {
+  const other = await stage.page(`${page.url().split('#')[0]}#tab=data&t=50&plots=NAV_ALPHA%253Ax_n`);
+  await until('the reason', async () =>
+    /no field 'x_n' \(did you mean 'x_m'\?\)/.test(await other.textContent('#plots')));
+  stage.errors = stage.errors.filter((text) => !/404/.test(text));
+});
+
 test('a hostile address draws nothing and runs nothing', async () => {
   const other = await stage.page(`${page.url().split('#')[0]}#tab=data&plots=`
     + encodeURIComponent('A%3A<img src=x onerror=globalThis.evil=1>;%;__proto__%3Ax'));
   await until('that there are no values', async () =>
-    /no values/.test(await other.textContent('#plots')));
+    /the log has no channel/.test(await other.textContent('#plots')));
   assert.equal(await other.evaluate(() => globalThis.evil), undefined);
   stage.errors = stage.errors.filter((text) => !/404|400/.test(text));
 });
