@@ -150,6 +150,14 @@ Result<VehicleQuery> ParseVehicleQuery(const QueryWords& query) {
   return reader.Conclude(std::move(vehicle));
 }
 
+Result<BackgroundQuery> ParseBackgroundQuery(const QueryWords& query) {
+  QueryReader reader(query, {"number", "world"});
+  BackgroundQuery background;
+  reader.Number("number", 0, 1000, &background.number);
+  reader.Flag("world", &background.world);
+  return reader.Conclude(background);
+}
+
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query) {
   QueryReader reader(query, {"vehicle", "kind", "cause", "blocked", "after", "limit"});
   TimedFateQuery timed;

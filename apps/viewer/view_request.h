@@ -33,6 +33,11 @@ struct VehicleQuery {
   double window_s = 120;
 };
 
+struct BackgroundQuery {
+  int number = 0;      ///< Of the mission's backgrounds, from 0.
+  bool world = false;  ///< Its world file instead.
+};
+
 struct TimedFateQuery {
   FateQuery fates;
   double t_s = kNoTimeGiven_s;
@@ -50,6 +55,7 @@ Result<double> ParseTimeQuery(const QueryWords& query);
 Result<LinksQuery> ParseLinksQuery(const QueryWords& query);
 Result<LinkQuery> ParseLinkQuery(const QueryWords& query);
 Result<VehicleQuery> ParseVehicleQuery(const QueryWords& query);
+Result<BackgroundQuery> ParseBackgroundQuery(const QueryWords& query);
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query);
 
 /// Reads the body of POST /api/command.
