@@ -264,6 +264,32 @@ class Page {
     this.top.setup(this.setup);
     this.#askTrails();
     this.#askEvents();
+    this.#askBackgrounds();
+  }
+
+  /** Puts the files that the mission names under it. */
+  async #askBackgrounds() {
+    const {world} = this;
+    this.map.removeBackgrounds();
+    const named = Array.isArray(this.setup.backgrounds) ? this.setup.backgrounds.slice(0, 20) : [];
+    const words = [];
+    for (const [number, background] of named.entries()) {
+      const name = String(background?.file).split('/').pop();
+      try {
+        const files = [new File([await this.requests.bytes('/api/background', {number})], name)];
+        if (background.has_world) {
+          const lies = await this.requests.bytes('/api/background', {number, world: 1});
+          files.push(new File([lies], name.replace(/\.[^.]*$/, '.wld')));
+        }
+        if (world !== this.world) return;
+        words.push(...await this.map.addBackgrounds(files));
+      } catch {
+        words.push(`the background ${name} cannot be read`);
+      }
+    }
+    if (world !== this.world || named.length === 0) return;
+    if (words.length > 0) this.top.note([...this.setup.notes, ...words].slice(0, 10));
+    this.top.showBackgrounds(this.map.backgrounds);
   }
 
   async #askTrails() {

@@ -161,6 +161,14 @@ Result<ChannelQuery> ParseChannelQuery(const QueryWords& query, const char* word
   return reader.Conclude(std::move(channel));
 }
 
+Result<BackgroundQuery> ParseBackgroundQuery(const QueryWords& query) {
+  QueryReader reader(query, {"number", "world"});
+  BackgroundQuery background;
+  reader.Number("number", 0, 1000, &background.number);
+  reader.Flag("world", &background.world);
+  return reader.Conclude(background);
+}
+
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query) {
   QueryReader reader(query, {"vehicle", "kind", "cause", "blocked", "after", "limit"});
   TimedFateQuery timed;

@@ -40,6 +40,11 @@ struct ChannelQuery {
   double window_s = 120;
 };
 
+struct BackgroundQuery {
+  int number = 0;      ///< Of the mission's backgrounds, from 0.
+  bool world = false;  ///< Its world file instead.
+};
+
 struct TimedFateQuery {
   FateQuery fates;
   double t_s = kNoTimeGiven_s;
@@ -59,6 +64,7 @@ Result<LinkQuery> ParseLinkQuery(const QueryWords& query);
 Result<VehicleQuery> ParseVehicleQuery(const QueryWords& query);
 /// `word`: how the query calls the name, which may be empty unless it `is_required`.
 Result<ChannelQuery> ParseChannelQuery(const QueryWords& query, const char* word, bool is_required);
+Result<BackgroundQuery> ParseBackgroundQuery(const QueryWords& query);
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query);
 
 /// Reads the body of POST /api/command.

@@ -89,6 +89,15 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
       return OrNotFound(source->LinkJson(asked.from, asked.to, asked.t_s));
     });
   }
+  if (path == "/api/background") {
+    return Answer(ParseBackgroundQuery(query), [&](const BackgroundQuery& asked) {
+      Result<std::string> bytes =
+          source->Background(static_cast<size_t>(asked.number), asked.world);
+      if (!bytes.ok()) return ErrorAnswer(404, bytes.error());
+      // A browser that opens it by itself saves it.
+      return WebAnswer{.content_type = "application/octet-stream", .body = std::move(*bytes)};
+    });
+  }
   if (path == "/api/vehicle") {
     return Answer(ParseVehicleQuery(query), [&](const VehicleQuery& asked) {
       return OrNotFound(source->VehicleJson(asked.name, asked.t_s, asked.window_s));

@@ -25,6 +25,10 @@ class EchoSource : public ViewSource {
   }
   std::string EventsJson() override { return "events"; }
   std::string VerdictJson() override { return "verdict"; }
+  Result<std::string> Background(size_t number, bool world) override {
+    if (number > 1) return Error{"there is no background 2"};
+    return fmt::format("bytes {} {}", number, world);
+  }
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double) override {
     return std::string("link ").append(from).append(" ").append(to);
   }
@@ -88,6 +92,10 @@ TEST(ViewSite, AnswersAtTheAddressesOfTheProtocol) {
   EXPECT_EQ(Ask(site, "/api/status"), "pages");
   EXPECT_EQ(Ask(site, "/api/events"), "events");
   EXPECT_EQ(Ask(site, "/api/verdict"), "verdict");
+  EXPECT_EQ(Ask(site, "/api/background", {{"number", "1"}, {"world", "1"}}), "bytes 1 true");
+  EXPECT_EQ(Ask(site, "/api/background", {{"number", "2"}}), "404");
+  EXPECT_EQ(Ask(site, "/api/background", {{"number", "-1"}}), "400");
+  EXPECT_EQ(Ask(site, "/api/background", {{"file", "/etc/passwd"}}), "400");
   EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "alpha", "words": []})"), "alpha");
 }
 

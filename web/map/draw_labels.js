@@ -14,6 +14,9 @@ const kPlace_ms = 120;
 const kLeader = 34;
 const kFarSides = 8;
 const kMostWithLeaders = 60;
+// A telephone's map, and how many vehicles have more than their names on it.
+const kNarrow_px = 480;
+const kFewOnNarrow = 3;
 // Of more vehicles than this in the picture the others have no label until one comes nearer.
 const kMostLabels = 200;
 // What a label keeps clear of is no larger than this on the screen; on more there is room anyway.
@@ -202,10 +205,15 @@ export class LabelLayer {
   }
 
   #place(ctx, camera, items, t, kept) {
+    const narrow = camera.width < kNarrow_px && items.length > kFewOnNarrow;
     for (const item of items) {
       const lines = labelLines(item.vehicle, t);
-      const forms = lines.length > 1 ? [lines, lines.slice(0, 1)] : [lines];
+      // A small map is for the vehicles: the names alone, but for those that matter most.
+      const short = narrow && rankOf(item) === 0;
+      const forms = short ? [lines.slice(0, 1)]
+          : lines.length > 1 ? [lines, lines.slice(0, 1)] : [lines];
       item.sizes = forms.map((form) => this.#size(ctx, form));
+      item.lines = forms.map((form) => form.length);
       item.side = this.#places.get(item.key)?.side;
     }
     const placed = placeLabels(items, camera.width, camera.height, kept);
@@ -214,7 +222,7 @@ export class LabelLayer {
       const found = placed[i];
       if (found) {
         this.#places.set(item.key, {form: found.form, side: found.side, dx: found.x - item.x,
-          dy: found.y - item.y, ...item.sizes[found.form]});
+          dy: found.y - item.y, lines: item.lines[found.form], ...item.sizes[found.form]});
       }
     });
   }
@@ -244,7 +252,7 @@ export class LabelLayer {
     ctx.fillStyle = theme.plate;
     ctx.fillRect(x, y, place.width, place.height);
     let lines = labelLines(item.vehicle, t);
-    if (place.form === 1) lines = lines.slice(0, 1);
+    lines = lines.slice(0, place.lines);
     lines.forEach((line, i) => {
       ctx.font = line.bold ? kNameFont : kLineFont;
       ctx.fillStyle = theme[line.color ?? (line.bold ? 'text' : 'muted')];

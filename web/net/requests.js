@@ -23,6 +23,20 @@ export class Requests {
     return this.#ask(this.address(path, query), {}, timeout_ms);
   }
 
+  /** Asks for bytes. Throws a RequestError. */
+  async bytes(path, query, timeout_ms = 60000) {
+    const headers = this.token === '' ? {} : {'X-Shoal-Token': this.token};
+    let response;
+    try {
+      response = await this.fetchFrom(this.address(path, query),
+        {headers, cache: 'no-store', signal: AbortSignal.timeout(timeout_ms)});
+      if (response.ok) return await response.blob();
+    } catch {
+      throw new RequestError('the viewer does not answer', 0);
+    }
+    throw new RequestError(`status ${response.status}`, response.status);
+  }
+
   post(path, body) {
     return this.#ask(path, {
       method: 'POST', body: JSON.stringify(body), headers: {'Content-Type': 'application/json'},

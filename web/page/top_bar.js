@@ -40,6 +40,9 @@ export function clockWords(clock) {
 
 /** The text across the map, or "". */
 export function bannerWords(clock, connection, reason) {
+  if (connection === 'lost' && clock?.state === 'ended') {
+    return 'The mission has ended, and so has its viewer; this is the last that was seen.';
+  }
   if (connection === 'lost') {
     return `Connection lost (${clip(reason, 200)}). Trying again; the page goes on by itself.`;
   }
@@ -168,6 +171,7 @@ export class TopBar {
     const text = bannerWords(clock, connection, reason);
     setText(this.banner, text);
     this.banner.hidden = text === '';
-    setAttribute(this.banner, 'data-state', connection === 'lost' ? 'lost' : null);
+    const isTrouble = connection === 'lost' && clock?.state !== 'ended';
+    setAttribute(this.banner, 'data-state', isTrouble ? 'lost' : null);
   }
 }

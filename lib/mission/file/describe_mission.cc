@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "lib/base/time/seconds.h"
+#include "lib/mission/file/background_files.h"
 #include "lib/mission/file/describe.h"
 #include "lib/mission/model/names.h"
 #include "lib/mission/model/providers.h"
@@ -97,6 +98,14 @@ void DescribeRun(Fields& fields, Mission& mission) {
   if (!mission.op_area_m.empty() && mission.op_area_m.size() < 3) {
     fields.Refuse("op_area",
                   "op_area needs three corners or more, like [[0, 0], [400, 0], [400, -300]]");
+  }
+  constexpr size_t kMaxBackgrounds = 20;
+  fields.Texts("backgrounds", mission.backgrounds, kMaxBackgrounds);
+  for (const std::string& file : mission.backgrounds) {
+    const std::string problem = BackgroundProblem(file);
+    if (problem.empty()) continue;
+    fields.Refuse("backgrounds", Quoted(file) + ": " + problem);
+    break;
   }
   fields.Choice("collisions", mission.collisions, kCollisions);
   fields.Choice("grounding", mission.grounding, kGrounding);

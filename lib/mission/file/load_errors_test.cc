@@ -21,8 +21,8 @@ name = "all"
 )"),
             "1:1: mission lacks 'duration_s'; for example: duration_s = 600\n"
             "3:1: unknown key 'colour'; known here: name, description, seed, tick_s, duration_s, "
-            "start_utime, origin, op_area, collisions, grounding, on_loss, participant_timeout_s, "
-            "shore_broker\n"
+            "start_utime, origin, op_area, backgrounds, collisions, grounding, on_loss, "
+            "participant_timeout_s, shore_broker\n"
             "5:15: comms_range must be 0 to 10000000 or \"nolimit\", not the string 'far'\n"
             "7:12: length_m = -3 is out of range; allowed: greater than 0, at most 500\n"
             "8:8: 'all' is reserved, as local, unc and all are: choose another\n");

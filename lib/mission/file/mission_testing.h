@@ -35,6 +35,7 @@ class MissionDraw {
     mission.origin_lat_deg = Number(-90, 90);
     mission.origin_lon_deg = Number(-180, 180);
     if (Coin()) mission.op_area_m = {Point(), Point(), Point()};
+    if (Coin()) mission.backgrounds = {"coast.geojson", "charts/bay.png"};
     mission.collisions = static_cast<CollisionVerdict>(Integer(0, 1));
     mission.on_loss = static_cast<OnLoss>(Integer(0, 2));
     mission.participant_timeout_s = Number(0.1, 3600);

@@ -103,6 +103,8 @@ struct Mission {
   double origin_lat_deg = 43.825300;  ///< MOOS-IvP's example missions start here.
   double origin_lon_deg = -70.330400;
   std::vector<Eigen::Vector2d> op_area_m;  ///< Corners of the area of operations, for viewers.
+  /// Files that viewers draw under the mission, relative to its file's folder.
+  std::vector<std::string> backgrounds = {};
   OnLoss on_loss = OnLoss::kEnd;
   CollisionVerdict collisions = CollisionVerdict::kFail;
   GroundingVerdict grounding = GroundingVerdict::kFail;

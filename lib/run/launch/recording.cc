@@ -7,6 +7,7 @@
 
 #include "lib/base/arithmetic/arithmetic_id.h"
 #include "lib/bus/os/text_file.h"
+#include "lib/mission/file/background_files.h"
 #include "lib/mission/file/data_files.h"
 #include "lib/run/command_line/version.h"
 
@@ -26,7 +27,11 @@ Result<bool> WriteText(const fs::path& path, const std::string& text) {
 /// outside the mission's folder is found by its own path, and stays there.
 Result<bool> CopyDataFiles(const fs::path& dir, const Mission& mission) {
   const fs::path folder = fs::path(mission.file).parent_path();
-  for (const std::string& file : DataFilesOf(mission)) {
+  std::vector<std::string> files = DataFilesOf(mission);
+  for (const std::string& file : BackgroundFilesThere(mission)) {
+    if (std::find(files.begin(), files.end(), file) == files.end()) files.push_back(file);
+  }
+  for (const std::string& file : files) {
     const fs::path relative = fs::path(file).lexically_normal();
     if (relative.is_absolute() || *relative.begin() == "..") continue;
     std::error_code error;

@@ -43,6 +43,7 @@ LiveView::LiveView(const Mission& mission, std::string boot, std::vector<std::st
   setup_json_ = shoal::SetupJson(mission, facts, floor);
   facts.commands = true;
   setup_json_commands_ = shoal::SetupJson(mission, facts, floor);
+  backgrounds_ = BackgroundsOf(mission);
   clock_.state = "gathering";
   FollowRules();
 }

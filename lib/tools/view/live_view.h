@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "lib/bus/bus/channels.h"
+#include "lib/mission/file/background_files.h"
 #include "lib/mission/model/mission.h"
 #include "lib/run/orders/command_record.h"
 #include "lib/run/verdict/mission_verdict.h"
@@ -64,6 +65,9 @@ class LiveView : public ViewSource, private SceneObserver {
   std::string FatesJson(const FateQuery& query, double t_s) override;
   std::string EventsJson() override;
   std::string VerdictJson() override;
+  Result<std::string> Background(size_t number, bool world) override {
+    return backgrounds_.Read(number, world);
+  }
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override;
   Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) override;
 
@@ -81,6 +85,7 @@ class LiveView : public ViewSource, private SceneObserver {
   // Do not change once constructed.
   std::string setup_json_;           ///< For clients that may only read.
   std::string setup_json_commands_;  ///< For clients that may send commands.
+  BackgroundFolder backgrounds_;
   std::string clock_channel_ = channels::ClockState().name;
 
   mutable std::mutex mutex_;  ///< Of all below.

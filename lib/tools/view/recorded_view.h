@@ -19,6 +19,7 @@
 #include "lib/base/check/result.h"
 #include "lib/base/time/seconds.h"
 #include "lib/bus/record/index_file.h"
+#include "lib/mission/file/background_files.h"
 #include "lib/mission/model/mission.h"
 #include "lib/tools/view/link_history.h"
 #include "lib/tools/view/log_index.h"
@@ -64,6 +65,9 @@ class RecordedView : public ViewSource {
   std::string FatesJson(const FateQuery& query, double t_s) override;
   std::string EventsJson() override;
   std::string VerdictJson() override;
+  Result<std::string> Background(size_t number, bool world) override {
+    return BackgroundsOf(mission_).Read(number, world);
+  }
   /// Fates and ranges are of the last FateHistory::kMaxFates of all links.
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override;
   Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) override;

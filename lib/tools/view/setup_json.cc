@@ -10,6 +10,7 @@
 #include "lib/comms/routing/cause.h"
 #include "lib/comms/routing/control.h"
 #include "lib/helm/behaviors/behavior_outline.h"
+#include "lib/mission/file/background_files.h"
 #include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/coverage_area.h"
 #include "lib/mission/model/vehicle_colors.h"
@@ -240,6 +241,14 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
   std::set<std::string_view> orders;
   for (const NamedOrder& order : mission.orders) {
     if (orders.insert(order.name).second) json.Text(order.name);
+  }
+  json.EndArray().Key("backgrounds").BeginArray();
+  const BackgroundFolder backgrounds = BackgroundsOf(mission);
+  for (size_t i = 0; i < backgrounds.files.size(); ++i) {
+    json.BeginObject()
+        .Text("file", backgrounds.files[i])
+        .Boolean("has_world", backgrounds.HasWorld(i))
+        .EndObject();
   }
   json.EndArray().Key("floor").Raw(floor_json).Key("notes").BeginArray();
   for (const std::string& note : facts.notes) json.Text(note);

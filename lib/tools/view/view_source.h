@@ -4,6 +4,7 @@
 // All functions may be called from any thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -28,6 +29,10 @@ class ViewSource {
 
   /// `commands`: the client may send commands.
   virtual std::string SetupJson(bool commands) = 0;
+  /// Returns the bytes of a file that the mission names as a background, or of its world file.
+  virtual Result<std::string> Background(size_t /*number*/, bool /*world*/) {
+    return Error{"there is no background"};
+  }
   // `t_s` is mission time since the start; ignored for a running mission, which has only the
   // current time.
   virtual std::string FrameJson(double t_s) = 0;

@@ -1,6 +1,6 @@
 // What a user puts under the mission: coast lines and a chart; and that files do nothing else.
 import assert from 'node:assert/strict';
-import { writeFileSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { Stage, until } from './support.mjs';
@@ -69,6 +69,41 @@ test('files that are none are named, and nothing of them runs', async () => {
   await until('the note', async () =>
     /not an image that the browser can read/.test(await page.textContent('#notes')));
   await page.keyboard.press('Escape');
+});
+
+test('a mission names its backgrounds, and a recording holds them', async () => {
+  const folder = join(stage.folder, 'named');
+  mkdirSync(join(folder, 'charts'), { recursive: true });
+  writeFileSync(join(folder, 'charts/bay.png'), red);
+  writeFileSync(join(folder, 'charts/bay.pgw'), '20\n0\n0\n-20\n10\n-80\n');
+  writeFileSync(join(folder, 'named.toml'), `[mission]
+duration_s = 5
+origin = {lat_deg = 43, lon_deg = -70}
+backgrounds = ["charts/bay.png", "missing.geojson"]
+
+[[vehicle]]
+name = "alpha"
+start = {x_m = 0, y_m = 0}
+
+[[vehicle.task]]
+kind = "waypoints"
+points = [[60, -150]]
+`);
+  const recording = join(stage.folder, 'recorded');
+  const run = stage.run(join(folder, 'named.toml'), '--warp', 'max', '--record', recording);
+  assert.equal(await run.over, 0, run.output);
+  const viewer = await stage.view('--http', '0', '--log', recording);
+  const named = await stage.page(viewer.url);
+  await until('the chart', () => named.evaluate(() => {
+    const canvas = document.getElementById('map');
+    const { cx, cy, metresPerPixel } = globalThis.shoalViewer.map.view;
+    const [r, g] = canvas.getContext('2d').getImageData(
+      Math.round((22 - cx) / metresPerPixel + canvas.clientWidth / 2),
+      Math.round(canvas.clientHeight / 2 - (-95 - cy) / metresPerPixel), 1, 1).data;
+    return r > 120 && g < 120;
+  }));
+  assert.match(await named.textContent('#notes'), /missing\.geojson cannot be read/);
+  stage.errors = stage.errors.filter((text) => !/404/.test(text));
 });
 
 test('the security policy allows no inline style or script', async () => {

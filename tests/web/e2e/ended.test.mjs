@@ -66,6 +66,9 @@ test('at warp max the mission waits for its page, and the page shows how it ende
   assert.ok(place > 10, `what was seen is still there: ${place}`);
   run.kill('SIGINT');
   assert.equal(await run.over, 1, 'the exit code is that of the mission');
+  await until('why the viewer is gone', async () =>
+    /^The mission has ended/.test(await page.textContent('#banner')));
+  assert.equal(await page.getAttribute('#banner', 'data-state'), null, 'not in red');
 });
 
 test('with a recording the page goes on with it', async () => {

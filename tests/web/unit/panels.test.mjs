@@ -40,6 +40,12 @@ test('events are chosen by kind, vehicle and words', () => {
   assert.ok(kEventGroups.every(([, , list]) => list === null || list.length > 0));
 });
 
+test('a viewer that ended with its mission is no trouble', () => {
+  assert.match(bannerWords({state: 'ended'}, 'lost', 'no news'), /The mission has ended/);
+  assert.match(bannerWords({state: 'running'}, 'lost', 'no news'), /Connection lost/);
+  assert.equal(bannerWords({state: 'ended'}, 'live', ''), '', 'the verdict is shown instead');
+});
+
 test('a chart gets columns as long as its times, which grow, whatever came', () => {
   assert.deepEqual(cleanColumns([1, 1, 0, 2, NaN, 3], [[5, 6, 7, null], 'nonsense']),
     [[1, 2, 3], [5, null, null], [null, null, null]]);
