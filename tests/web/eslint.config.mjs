@@ -7,7 +7,7 @@ const known = (names) => Object.fromEntries(names.map((name) => [name, 'readonly
 /** Names that browsers define, as far as the page uses them. */
 const browser = known([
   'AbortController', 'AbortSignal', 'Blob', 'CSS', 'DecompressionStream', 'Element', 'Event',
-  'EventSource',
+  'EventSource', 'File',
   'HTMLElement', 'Image', 'ImageData', 'MediaRecorder', 'MutationObserver', 'Node', 'Path2D',
   'ResizeObserver', 'Response', 'SharedWorker', 'URL', 'URLSearchParams', 'addEventListener', 'atob', 'cancelAnimationFrame',
   'clearInterval', 'clearTimeout', 'console', 'createImageBitmap', 'devicePixelRatio', 'document',
