@@ -104,7 +104,7 @@ class Bundle {
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
     const std::string_view target = statement.substr(open + 1, close - open - 1);
     const Result<std::string> variable = Add((folder / target).lexically_normal().generic_string());
-    if (!variable.ok()) return variable;
+    if (!variable.ok()) return Error{variable.error()};
     std::string_view names = statement.substr(kImport.size(), from - kImport.size());
     if (!names.starts_with('{')) return fmt::format("const {} = {}.default;\n", names, *variable);
     std::string taken(names);
@@ -123,7 +123,7 @@ class Bundle {
 Result<std::string> BundleModules(const PageFiles& files, const std::string& entry) {
   Bundle bundle(files);
   const Result<std::string> variable = bundle.Add(entry);
-  if (!variable.ok()) return variable;
+  if (!variable.ok()) return Error{variable.error()};
   return bundle.Take();
 }
 
