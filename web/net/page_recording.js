@@ -139,6 +139,7 @@ export class PageRecording {
       '/api/setup': () => data.setup,
       '/api/trails': () => data.trails,
       '/api/events': () => data.events,
+      '/api/verdict': () => data.verdict,
       '/api/frame': (query) => this.#frame(this.#time(query)),
       '/api/links': (query) => this.#linksAt(query),
       '/api/link': (query) => this.#link(query),

@@ -272,10 +272,12 @@ PageRecording RecordForPage(ViewSource& view, double begin_s, double end_s,
   }
   Json setup = Json::parse(view.SetupJson(false));
   for (const std::string& note : recording.notes) setup["notes"].push_back(note);
+  setup.erase("backgrounds");  // Their files are not in the page.
   Json all = {{"version", 1},
               {"setup", std::move(setup)},
               {"trails", Json::parse(view.TrailsJson())},
               {"events", Json::parse(view.EventsJson())},
+              {"verdict", Json::parse(view.VerdictJson())},
               {"begin_s", begin_s},
               {"end_s", end_s},
               {"frames", {{"step_s", recording.step_s}, {"states", frames.Take()}}},

@@ -69,6 +69,15 @@ TEST(PageRecording, HoldsEveryFateOnceInTheirOrder) {
   for (size_t i = 0; i < fates.size(); ++i) ASSERT_EQ(fates[i][0], i + 1);
 }
 
+TEST(PageRecording, HasTheVerdictAndNoBackgroundWhoseFileItHasNot) {
+  const TestDirectory directory;
+  const auto view = OpenTraffic(directory, TrafficMaker(2).Make(60));
+  const json all = RecordingOf({.step_s = 5}, *view, view->end_s());
+  EXPECT_EQ(all["verdict"], json::parse(view->VerdictJson()));
+  EXPECT_TRUE(json::parse(view->SetupJson(false)).contains("backgrounds"));
+  EXPECT_FALSE(all["setup"].contains("backgrounds"));
+}
+
 TEST(PageRecording, KeepsTheNewestFatesAndStatesHowManyAreLeftOut) {
   const TestDirectory directory;
   const auto view = OpenTraffic(directory, TrafficMaker(2).Make(600));
