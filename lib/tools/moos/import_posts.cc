@@ -69,16 +69,17 @@ void PostImport::Read(const std::vector<MoosFile>& files, FleetImport* fleet) {
   }
 }
 
-bool PostImport::Sets(std::string_view variable) const {
+bool PostImport::SetsAlone(std::string_view variable) const {
+  bool is_set = false;
   for (const auto& [block, buttons] : buttons_) {
     for (const MoosButton& button : buttons) {
-      if (deploy_keys_.contains({block, button.key})) continue;
-      for (const auto& [posted, value] : button.posts) {
-        if (posted == variable) return true;
-      }
+      const bool posts = std::any_of(button.posts.begin(), button.posts.end(),
+                                     [&](const auto& post) { return post.first == variable; });
+      if (posts && deploy_keys_.contains({block, button.key})) return false;
+      is_set = is_set || posts;
     }
   }
-  return false;
+  return is_set;
 }
 
 void PostImport::AddOrders(const std::vector<MoosFile>& files, const std::vector<MoosButton>& pokes,

@@ -22,9 +22,9 @@ class PostImport {
   /// Gives vehicles what the button that deploys them sets besides. The files outlive this.
   void Read(const std::vector<MoosFile>& files, FleetImport* fleet);
 
-  /// Returns true where a button that does not deploy, or a menu entry, posts the variable.
+  /// Returns true where a button or menu entry posts the variable, and none that deploys does.
   /// @pre Read() was called
-  bool Sets(std::string_view variable) const;
+  bool SetsAlone(std::string_view variable) const;
 
   /// Adds an [[order]] for each further button, and for what the launch script pokes.
   void AddOrders(const std::vector<MoosFile>& files, const std::vector<MoosButton>& pokes,

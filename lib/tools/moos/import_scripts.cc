@@ -92,7 +92,7 @@ const MoosLine* WaitsForButton(const MoosBlock& block, const std::vector<MoosFil
     const auto condition = Condition::Parse(ConditionText(line.value));
     if (!condition.ok()) continue;
     for (const std::string& variable : condition->VariablesUsed()) {
-      if (posts.Sets(variable) && !is_set_otherwise(variable)) return &line;
+      if (posts.SetsAlone(variable) && !is_set_otherwise(variable)) return &line;
     }
   }
   return nullptr;

@@ -462,6 +462,17 @@ TEST(ImportMoos, LeavesOutAScriptThatWaitsForAButton) {
             "left out");
 }
 
+TEST(ImportMoos, TakesAScriptThatWaitsForWhatTheButtonThatDeploysSets) {
+  const MoosImport import =
+      ImportScript("",
+                   "ProcessConfig = pMarineViewer\n{\nbutton_one = GO # DEPLOY_ALL=true\n"
+                   "button_two = AGAIN # DEPLOY_ALL=true\n}\n"
+                   "ProcessConfig = uTimerScript\n{\ncondition = DEPLOY_ALL = true\n"
+                   "event = var=UP_ABE, val=speed=2, time=5\n}\n");
+  EXPECT_EQ(Loaded(import).events.size(), 1U);
+  EXPECT_EQ(import.lost, std::vector<std::string>{});
+}
+
 TEST(ImportMoos, LetsAPausedScriptBeginWhereABehaviorSetsItsVariable) {
   const MoosImport import = ImportScript(
       "ProcessConfig = uTimerScript\n{\npaused = true\npause_var = LATER\n"
