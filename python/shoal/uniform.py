@@ -1,8 +1,9 @@
 """Reads all messages of a channel at once where they have few layouts.
 
-Two messages have the same layout if their strings have the same lengths and their arrays are empty:
-each member is then at the same place in both. All messages of one layout become one numpy array, and
-each member becomes a column of it. The codec reads the other messages one by one, and reports errors.
+Two messages have the same layout if their strings have the same lengths and their arrays are
+empty: each member is then at the same place in both. All messages of one layout become one numpy
+array, and each member becomes a column of it. The codec reads the other messages one by one, and
+reports errors.
 """
 
 from __future__ import annotations

@@ -367,10 +367,12 @@ TEST(ChannelsFrom, ForVehiclesAreTheirOwnAndThoseOfTheShoreThatTheyPublish) {
     EXPECT_FALSE(may("", std::string(row.topic) + "_BRAVO"));
     EXPECT_FALSE(may("helm_alpha", std::string(row.topic) + "_MY_ALPHA"));
   }
-  EXPECT_EQ(shore, (std::vector<std::string_view>{topics::kNodeReportLocal, topics::kNodeReport,
-                                                  topics::kNodeMessageLocal, topics::kNodeMessage,
-                                                  topics::kAckMessage, topics::kAcousticTx,
-                                                  topics::kAcousticTxOn, topics::kRelayTx}));
+  EXPECT_EQ(shore,
+            (std::vector<std::string_view>{
+                topics::kNodeReportLocal, topics::kNodeReport, topics::kNodeMessageLocal,
+                topics::kNodeMessage, topics::kAckMessage, topics::kAcousticTx,
+                topics::kAcousticTxOn, topics::kRelayTx, topics::kViewPoint, topics::kViewPolygon,
+                topics::kViewSeglist, topics::kViewCircle, topics::kViewText}));
 }
 
 TEST(ChannelsFrom, ForProgramsAreAll) {
