@@ -70,8 +70,13 @@ test('with the keyboard alone a vehicle is chosen, a field is charted and the ti
   for (let i = 0; i < 10 && await focused() !== 'data-search'; ++i) await page.keyboard.press('Tab');
   assert.equal(await focused(), 'data-search');
   await page.keyboard.type('nav_alpha speed');
-  await until('the field', () => page.locator('[data-field="NAV_ALPHA:speed_mps"]').count());
+  // Of all words: what was typed first has an answer of its own.
+  await until('the fields of a speed', () => page.evaluate(() => {
+    const names = [...document.querySelectorAll('[data-field]')].map((each) => each.dataset.field);
+    return names.includes('NAV_ALPHA:speed_mps') && names.every((name) => name.includes('speed'));
+  }));
   for (let i = 0; i < 10 && !/speed_mps/.test(await focused()); ++i) await page.keyboard.press('Tab');
+  assert.match(await focused(), /speed_mps/);
   await page.keyboard.press('Enter');
   await until('its chart', async () => /speed_mps \d\.\d\d m\/s/.test(await page.textContent('#plots')));
   const t = await page.evaluate(() => globalThis.shoalViewer.source.t);
