@@ -11,7 +11,7 @@
 #include "apps/viewer/module_bundle.h"
 #include "lib/base/check/check.h"
 #include "lib/bus/os/replace_file.h"
-#include "lib/tools/report/page_script.h"
+#include "lib/tools/page/page_script.h"
 #include "lib/tools/view/page_recording.h"
 #include "lib/tools/view/recorded_view.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/tools/report/page_script.h"
+#include "lib/tools/page/page_script.h"
 
 namespace shoal::page_export_test {
 

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "lib/base/check/check.h"
+#include "lib/tools/page/page_script.h"
 #include "lib/tools/report/embedded_page.h"
 #include "lib/tools/report/page_data.h"
-#include "lib/tools/report/page_script.h"
 #include "lib/tools/report/report_text.h"
 
 namespace shoal {

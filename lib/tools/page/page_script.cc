@@ -1,4 +1,4 @@
-#include "lib/tools/report/page_script.h"
+#include "lib/tools/page/page_script.h"
 
 #include <sodium.h>
 
