@@ -212,7 +212,7 @@ class BlockImporter {
     if (!seconds || names.size() < 2) return Refuse(line, "not VARIABLE, ..., SECONDS");
     names.pop_back();
     for (const std::string& name : names) import_.variables.insert(name);
-    settings_.Append("nostarve", std::move(names), line, false);
+    settings_.Append("nostarve", names, line, false);
     settings_.Set("nostarve_s", TomlNumber(*seconds), line, false);
   }
 

@@ -411,7 +411,7 @@ class Plugger {
     if (find_ == nullptr) return std::nullopt;
     auto source = find_(name, open_files_.front());
     for (const std::string& path : options_.paths) {
-      if (!source) source = find_(path + "/" + name, open_files_.front());
+      if (!source) source = find_(fmt::format("{}/{}", path, name), open_files_.front());
     }
     if (source || open_files_.size() == 1) return source;
     *is_beside = true;

@@ -54,6 +54,7 @@ std::optional<DriftAction> DriftActionOf(std::string_view variable) {
 
 std::vector<std::string_view> DriftVariables() {
   std::vector<std::string_view> names;
+  names.reserve(kDriftPosts.size());
   for (const auto& [name, action] : kDriftPosts) names.push_back(name);
   return names;
 }

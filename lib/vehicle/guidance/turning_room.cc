@@ -57,8 +57,8 @@ double RoomFor(const Points& obstacles_m, const Eigen::Vector2d& current_mps, do
       square_m2 = std::min(square_m2, (each_m - carried_m).squaredNorm());
     }
   };
-  for (double way_m = kStraightStep_m; way_m < kStraightOn_m; way_m += kStraightStep_m) {
-    look(way_m * bow, way_m);
+  for (int i = 1; i * kStraightStep_m < kStraightOn_m; ++i) {
+    look(i * kStraightStep_m * bow, i * kStraightStep_m);
   }
   const int num_steps = static_cast<int>(std::ceil(std::abs(turn_rad) / kArcStep_rad));
   for (int i = 0; i <= num_steps; ++i) {

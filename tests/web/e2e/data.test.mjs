@@ -69,7 +69,9 @@ test('states of the chosen vehicle are spans of time', async () => {
 });
 
 test('the address keeps the charts', async () => {
-  await until('the fields in the address', async () => page.url().includes('NAV_BRAVO'));
+  // The states came last.
+  await until('all charts in the address', async () =>
+    page.url().includes('NAV_BRAVO') && /HELM_STATE/.test(decodeURIComponent(page.url())));
   await page.reload();
   await until('two charts again', async () => await page.locator('.field-chart').count() === 2);
   await until('with values', async () => /NAV_BRAVO:x_m 3\d\d/.test(await page.textContent('#plots')));
