@@ -6,7 +6,7 @@
 
 #include "lib/base/text/numbers.h"
 #include "lib/mission/toml/suggest.h"
-#include "lib/tools/metrics/field_reader.h"
+#include "lib/tools/fields/field_reader.h"
 #include "lib/tools/view/json_writer.h"
 
 namespace shoal {

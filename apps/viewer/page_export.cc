@@ -158,7 +158,7 @@ int ExportPage(const PageFiles& files, const ExportOptions& options) {
   for (size_t i = 1; i < recording.notes.size(); ++i) fmt::print("note: {}\n", recording.notes[i]);
   std::fflush(stdout);
   const std::string error = ReplaceFile(options.path, *page);
-  return error.empty() ? kExitOk : Fail(kExitUsage, fmt::format("{}: {}", options.path, error));
+  return error.empty() ? kExitOk : Fail(kExitUsage, error);
 }
 
 }  // namespace shoal

@@ -56,7 +56,8 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
       "--export", &options.export_path,
       "Write the recorded mission as one file of HTML, to be opened without a viewer, and end");
   page.Needs(log).Check([](const std::string& text) {
-    return text.empty() ? "it is empty: name the page to write, such as berta.html" : "";
+    // Else a log that is named by mistake is lost.
+    return text.ends_with(".html") ? "" : "a page ends in .html, such as berta.html";
   });
   program
       .AddOption("--export-step", &options.export_step_s,

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <system_error>
 
+#include "lib/bus/os/cannot_write.h"
 #include "lib/bus/os/file_bytes.h"
 #include "lib/bus/os/file_descriptor.h"
 
@@ -27,14 +29,19 @@ std::string ReplaceFile(const std::string& path, std::string_view text) {
   constexpr mode_t kMode = 0644;
   FileDescriptor out(
       ::open(part.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kMode));
-  if (out.is_open() && WriteAll(out.get(), text) && out.Close()) {
-    std::filesystem::rename(part, path, error);
-    if (!error) return {};
+  int error_number = errno;
+  if (out.is_open()) {
+    const bool is_written = WriteAll(out.get(), text) && out.Close();
+    error_number = errno;
+    if (is_written) {
+      std::filesystem::rename(part, path, error);
+      if (!error) return {};
+      error_number = error.value();
+    }
   }
   std::error_code ignored;
   std::filesystem::remove(part, ignored);
-  return fmt::format("{}: cannot be written: is the disk full, or the folder another user's?",
-                     path);
+  return CannotWrite(path, error_number).message;
 }
 
 }  // namespace shoal

@@ -9,40 +9,13 @@
 #include <cstring>
 #include <utility>
 
+#include "lib/bus/os/cannot_write.h"
 #include "lib/bus/os/file_bytes.h"
 #include "lib/bus/record/log_format.h"
 
 namespace shoal {
 
 namespace {
-
-std::string Remedy(int error_number) {
-  switch (error_number) {
-    case ENOSPC:
-    case EDQUOT:
-    case EFBIG:
-      return "free some space, or record into another folder";
-    case EACCES:
-    case EPERM:
-    case EROFS:
-      return "choose a folder that you may write to";
-    case ENOENT:
-    case ENOTDIR:
-      return "make its folder first";
-    case EISDIR:
-      return "it is a folder: name a file in it";
-    case EMFILE:
-    case ENFILE:
-      return "too many files are open: raise `ulimit -n`";
-    default:
-      return "check the disk, or record into another folder";
-  }
-}
-
-Error WriteError(const std::string& path, int error_number) {
-  return Error{"cannot write " + path + ": " + ErrnoText(error_number) + " (" +
-               Remedy(error_number) + ")"};
-}
 
 uint8_t* PutBigEndian(uint64_t value, int num_bytes, uint8_t* out) {
   for (int shift = 8 * (num_bytes - 1); shift >= 0; shift -= 8) {
@@ -65,7 +38,7 @@ LogWriter::LogWriter(std::string path, FileDescriptor file, bool is_compressed)
 
 Result<LogWriter> LogWriter::Create(const std::string& path) {
   FileDescriptor file(::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-  if (!file.is_open()) return WriteError(path, errno);
+  if (!file.is_open()) return CannotWrite(path, errno);
   return LogWriter(path, std::move(file), path.ends_with(kCompressedSuffix));
 }
 
@@ -170,7 +143,7 @@ Error LogWriter::Fail(int error_number) {
   counters_.bytes -= dropped.bytes;
   pending_.clear();
   pending_events_ = 0;
-  error_ = WriteError(path_, error_number);
+  error_ = CannotWrite(path_, error_number);
   return *error_;
 }
 

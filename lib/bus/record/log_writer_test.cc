@@ -76,7 +76,7 @@ TEST(LogWriter, NamesPathCauseAndRemedyWhereTheDiskIsFullAndDropsTheRest) {
   const auto error = writer->Flush();
   ASSERT_TRUE(error);
   EXPECT_EQ(error->message,
-            "cannot write /dev/full: No space left on device (free some space, or record into "
+            "cannot write /dev/full: No space left on device (free some space, or choose "
             "another folder)");
   writer->Append(0, "A", {});
   EXPECT_EQ(writer->Flush()->message, error->message);

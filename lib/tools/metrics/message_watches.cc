@@ -6,7 +6,7 @@
 
 #include "lib/base/time/seconds.h"
 #include "lib/bus/bus/channels.h"
-#include "lib/tools/metrics/field_reader.h"
+#include "lib/tools/fields/field_reader.h"
 #include "lib/tools/metrics/metric_channel.h"
 #include "lib/tools/metrics/metric_vehicles.h"
 #include "lib/tools/metrics/metric_watch.h"

@@ -16,7 +16,7 @@
 #include "lib/comms/routing/vehicle_name.h"
 #include "lib/mission/file/validate.h"
 #include "lib/mission/model/names.h"
-#include "lib/tools/metrics/field_reader.h"
+#include "lib/tools/fields/field_reader.h"
 #include "lib/tools/metrics/metric_channel.h"
 #include "lib/tools/metrics/metric_vehicles.h"
 

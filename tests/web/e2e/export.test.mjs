@@ -43,6 +43,15 @@ test('thirty minutes of berta are smaller than 3 MB, and the size is shown', () 
   assert.match(written, /berta\.html: 1?\.?\d+ [kM]B, \d+ frames 1 s apart, \d+ fates/);
 });
 
+test('a log that is named as the page stays as it is', async () => {
+  const log = join(stage.folder, 'berta.lcm');
+  const bytes = readFileSync(log).length;
+  const view = stage.start('shoal', 'view', log, '--mission', 'missions/berta.toml', '--export', log);
+  assert.equal(await view.over, 2);
+  assert.match(view.output, /a page ends in \.html/);
+  assert.equal(readFileSync(log).length, bytes);
+});
+
 test('it scrubs, and moves between its frames', async () => {
   await scrub(300);
   const late = await alpha();

@@ -1,4 +1,4 @@
-#include "lib/tools/metrics/field_reader.h"
+#include "lib/tools/fields/field_reader.h"
 
 #include <fmt/format.h>
 
