@@ -1,4 +1,4 @@
-# What `cmake --install` and scripts/package put below the prefix; docs/install.md shows it.
+# What `cmake --install` and scripts/package put below the prefix; docs/start/install.md shows it.
 include(MergeArchives)
 include(PublicHeaders)
 

@@ -13,7 +13,7 @@
 # shoal_app makes a library <NAME>_app from SOURCES and the executable, whose main function calls
 # `int shoal::Function(int argc, char** argv)` of the library.
 #
-# What builds fast is chosen by the preset (CMakePresets.json, docs/building.md): precompiled
+# What builds fast is chosen by the preset (CMakePresets.json, docs/inside/building.md): precompiled
 # headers (SHOAL_PCH), one translation unit per library (CMAKE_UNITY_BUILD), shared libraries
 # (BUILD_SHARED_LIBS). Every test has a label and a time limit in seconds, for one test case.
 
@@ -223,7 +223,7 @@ function(shoal_check_without_floor floor)
     get_target_property(its_floor ${target} SHOAL_FLOOR)
     if(its_floor STREQUAL floor)
       message(FATAL_ERROR "${by_${target}}: links what is of the floor ${floor}, which is for "
-        "programs of their own (docs/building.md)")
+        "programs of their own (docs/inside/building.md)")
     endif()
     get_target_property(linked ${target} INTERFACE_LINK_LIBRARIES)
     get_target_property(own ${target} LINK_LIBRARIES)

@@ -1,5 +1,5 @@
 // Broker and gateways together: every transmission has its fates over every hop, and each is the
-// one that a second, plainer reading of docs/media.md gives.
+// one that a second, plainer reading of docs/communication/media.md gives.
 #include <gtest/gtest.h>
 
 #include <algorithm>

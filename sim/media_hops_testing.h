@@ -1,5 +1,5 @@
-// A second, plainer reading of docs/media.md for tests: what carries each transmission over each
-// hop, and when it is there.
+// A second, plainer reading of docs/communication/media.md for tests: what carries each
+// transmission over each hop, and when it is there.
 #pragma once
 
 #include <gtest/gtest.h>

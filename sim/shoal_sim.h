@@ -14,7 +14,7 @@
  * Functions that can fail return SHOAL_SIM_OK or another shoal_sim_code; shoal_sim_error() has the
  * text then. Null in place of a shoal_sim or a text is an error, never a crash. No C++ exception
  * leaves a function. One thread at a time may use one shoal_sim; several of them are independent.
- * docs/embedding.md
+ * docs/extending/embedding.md
  */
 #ifndef SHOAL_SIM_H
 #define SHOAL_SIM_H

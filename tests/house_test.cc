@@ -1,4 +1,4 @@
-// Rules of the project that a compiler does not check; docs/design.md states their reasons.
+// Rules of the project that a compiler does not check; docs/inside/design.md states their reasons.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -260,7 +260,8 @@ TEST(Classes, HaveOneSourceFile) {
   EXPECT_EQ(spread, kNone);
 }
 
-/// Returns the pages that a line names: "docs/fates.md", "README.md". Web addresses and patterns
+/// Returns the pages that a line names: "docs/reference/fates.md", "README.md". Web addresses and
+/// patterns
 /// ("app_*.md") are none.
 std::vector<std::string> PagesNamedIn(const std::string& line) {
   constexpr std::string_view kEnding = ".md";
@@ -283,8 +284,8 @@ std::vector<std::string> PagesNamedIn(const std::string& line) {
   return pages;
 }
 
-/// True where `page` is a file: from the root, from the folder of `file`, which names it, or in
-/// docs/.
+/// True if `page` is a file: seen from the root, from docs/, or from the folder of `file`, which
+/// names it.
 bool PageExists(const std::string& file, const std::string& page) {
   return fs::exists(kRoot / page) || fs::exists((kRoot / file).parent_path() / page) ||
          fs::exists(kRoot / "docs" / page);
@@ -320,18 +321,19 @@ void AppendMissingPages(const fs::path& path, std::vector<std::string>* missing)
 
 TEST(NamedPages, AreFoundInCommentsAndLinks) {
   using Pages = std::vector<std::string>;
-  EXPECT_EQ(PagesNamedIn("// As munet.md G13 has it; docs/fates.md. And x.mdb."),
-            (Pages{"munet.md", "docs/fates.md"}));
-  EXPECT_EQ(PagesNamedIn("[rooms](../lib/README.md#rooms), \"/docs/channels.md\""),
-            (Pages{"../lib/README.md", "docs/channels.md"}));
+  EXPECT_EQ(PagesNamedIn("// As munet.md G13 has it; docs/reference/fates.md. And x.mdb."),
+            (Pages{"munet.md", "docs/reference/fates.md"}));
+  EXPECT_EQ(PagesNamedIn("[rooms](../lib/README.md#rooms), \"/docs/reference/channels.md\""),
+            (Pages{"../lib/README.md", "docs/reference/channels.md"}));
   EXPECT_EQ(PagesNamedIn("docs/app_*.md, <name>.md, https://example.org/README.md"), Pages());
 }
 
 TEST(NamedPages, AreMissedWhereThereIsNoSuchFile) {
-  EXPECT_TRUE(PageExists("lib/base/check/result.h", "docs/design.md"));
-  EXPECT_TRUE(PageExists("docs/design.md", "style.md"));
-  EXPECT_TRUE(PageExists("docs/design.md", "../lib/README.md"));
-  EXPECT_TRUE(PageExists("lib/mission/file/rows_test.cc", "mission_file.md"));
+  EXPECT_TRUE(PageExists("lib/base/check/result.h", "docs/inside/design.md"));
+  EXPECT_TRUE(PageExists("docs/inside/design.md", "style.md"));
+  EXPECT_TRUE(PageExists("docs/inside/design.md", "../../lib/README.md"));
+  EXPECT_TRUE(PageExists("lib/mission/file/rows_test.cc", "missions/mission_file.md"));
+  EXPECT_FALSE(PageExists("lib/mission/file/rows_test.cc", "mission_file.md"));
   EXPECT_FALSE(PageExists("lib/base/check/result.h", "docs/no_such_page.md"));
   EXPECT_FALSE(PageExists("lib/vehicle/guidance/path_golden_test.cc", "munet.md"));
 }

@@ -1,6 +1,6 @@
 // The words of the project are the field's: nodes publish and subscribe, vehicles receive reports,
-// functions return, errors state. This test finds the old ones; docs/style.md names the new ones.
-// What must stay stands in tests/words_allowed.txt.
+// functions return, errors state. This test finds the old ones; docs/inside/style.md names the new
+// ones. What must stay stands in tests/words_allowed.txt.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The autopilots of a Remus 100: heading, depth or pitch, and propeller. Turns the world's frame
-// into the guidance frame and back (docs/glossary.md).
+// into the guidance frame and back (docs/start/glossary.md).
 #pragma once
 
 #include <optional>

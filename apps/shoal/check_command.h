@@ -16,7 +16,7 @@ int RunCheck(const std::string& mission_file, const std::vector<std::string>& ov
 /// Returns the exit code.
 int RunKeys(const std::string& mission_file, const std::vector<std::string>& overrides);
 
-/// Returns the table of all channels as Markdown: docs/channels.md.
+/// Returns the table of all channels as Markdown: docs/reference/channels.md.
 std::string ChannelsMarkdown();
 
 }  // namespace shoal

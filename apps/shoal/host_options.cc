@@ -31,7 +31,8 @@ int RunKeygen(const std::string& prefix) {
 
 void AddHostCommands(Command shoal, CommandAction* action) {
   const Command command = shoal.AddSubcommand(
-      "host", "Run vehicles of missions that other computers start (docs/many_machines.md)");
+      "host",
+      "Run vehicles of missions that other computers start (docs/missions/many_machines.md)");
   auto options = std::make_shared<HostAgentOptions>();
   const Option listen =
       command

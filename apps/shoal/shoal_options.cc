@@ -387,7 +387,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddHostCommands(shoal, &action);
   ListToolCommands(shoal, "");
   AddDoctor(shoal, &action);
-  shoal.AddSubcommand("channels", "Print the table of all channels (docs/channels.md)")
+  shoal.AddSubcommand("channels", "Print the table of all channels (docs/reference/channels.md)")
       .Callback([&action] {
         action = [] {
           fmt::print("{}", ChannelsMarkdown());

@@ -1,4 +1,4 @@
-// `shoal campaign`: many trials of one mission. docs/campaigns.md
+// `shoal campaign`: many trials of one mission. docs/campaigns/campaigns.md
 #pragma once
 
 #include <cstdint>

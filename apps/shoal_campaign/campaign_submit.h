@@ -1,5 +1,5 @@
 // `shoal campaign submit`: the shards of a campaign as a Slurm array, or by GNU parallel.
-// docs/campaign_cluster.md
+// docs/campaigns/cluster.md
 #pragma once
 
 #include <cstdint>

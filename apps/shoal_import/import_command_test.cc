@@ -174,7 +174,7 @@ TEST_F(Import, TakesTheExampleOfTheDocumentation) {
   EXPECT_EQ(loaded.mission.vehicles[0].behaviors.size(), 2U);
 }
 
-/// The command of docs/import_bhv.md.
+/// The command of docs/reference/import_bhv.md.
 ImportOptions AvoidExample(const std::string& out_path) {
   const std::string folder = kExamples + "avoid/";
   return {.files = {folder + "meta_shoreside.moos", folder + "meta_vehicle.bhv",

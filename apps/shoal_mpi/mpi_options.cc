@@ -11,7 +11,8 @@ namespace {
 constexpr char kFooter[] =
     "Started by mpirun -n N shoal-mpi FILE, or by srun -n N --mpi=pmix shoal-mpi FILE. Log, "
     "verdict "
-    "and\nsummary are those of `shoal sim FILE`, for any number of ranks: docs/many_machines.md\n"
+    "and\nsummary are those of `shoal sim FILE`, for any number of ranks: "
+    "docs/missions/many_machines.md\n"
     "Exit codes: 0 pass, 1 fail, 2 command line or mission file, 3 the machine: a rank is lost.";
 
 void AddOptions(Command program, MpiOptions* options) {

@@ -15,7 +15,7 @@ const AppInfo kInfo = {
     .per_vehicle = false,
     .can_live = true,
     .example = "# In a mission file. These are the defaults.\n" + CommsExample() + R"(
-[acoustics]                           # docs/mission_file.md has all keys
+[acoustics]                           # docs/missions/mission_file.md has all keys
 crc = true                            # false: damage is delivered
 access_mode = "fdma"                  # or shared, tdma, tdma_lf
 data_rate_bps = 1000

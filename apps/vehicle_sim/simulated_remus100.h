@@ -1,5 +1,5 @@
 // lib/vehicle/vehicle/remus100 as vehicle_sim runs it: in steps of at most model_step_s, and
-// mirrored from the guidance frame into that of the world (docs/glossary.md).
+// mirrored from the guidance frame into that of the world (docs/start/glossary.md).
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// Which requests the viewer allows: docs/viewer_protocol.md, "Access".
+// Which requests the viewer allows: docs/extending/viewer_protocol.md, "Access".
 //
 // The server listens on this machine, where any page of the world wide web can reach it through the
 // user's own browser. Three headers distinguish such requests from those of the viewer's page: Host

@@ -1,6 +1,6 @@
 // What a mission's channels carry, for the panel of channels and for charts of any field
-// (docs/viewer_protocol.md). A field is named "NAV_ALPHA:x_m": channel, then the way to a value; of
-// "HELM_DECISION_ALPHA:aims[].name" the values of all elements are one text.
+// (docs/extending/viewer_protocol.md). A field is named "NAV_ALPHA:x_m": channel, then the way to a
+// value; of "HELM_DECISION_ALPHA:aims[].name" the values of all elements are one text.
 #pragma once
 
 #include <cstdint>

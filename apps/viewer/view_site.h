@@ -1,4 +1,4 @@
-// The addresses of the viewer: docs/viewer_protocol.md. Answers the requests of
+// The addresses of the viewer: docs/extending/viewer_protocol.md. Answers the requests of
 // WebServer from a ViewSource; knows nothing of sockets.
 #pragma once
 

@@ -2,7 +2,8 @@
  *
  *   embed_c MISSION [LOG]
  *
- * It needs libshoal_sim and the C message types, and nothing else of shoal: docs/embedding.md. */
+ * It needs libshoal_sim and the C message types, and nothing else of shoal:
+ * docs/extending/embedding.md. */
 #include <ctype.h>
 #include <math.h>
 #include <shoal_nav_t.h>

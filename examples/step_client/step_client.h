@@ -1,5 +1,5 @@
 /* Takes part in the stepping of a mission, in plain C: LCM and shoal's message types are all that
- * it needs. docs/step_protocol.md has the rules; this is all of them.
+ * it needs. docs/extending/step_protocol.md has the rules; this is all of them.
  *
  *   step_client_t* client = step_client_create("my_program");     reads the SHOAL_* variables
  *   step_client_subscribe(client, "NAV_ALPHA", "alpha", on_nav, NULL);

@@ -4,7 +4,7 @@
     log = shoal.read("mission.lcm")
     log["NAV_ALPHA"].x_m
 
-Pure standard library; columns are numpy's arrays where numpy is installed. docs/python.md shows
+Pure standard library; columns are numpy's arrays where numpy is installed. docs/extending/python.md shows
 all of it.
 """
 

@@ -29,7 +29,7 @@ class Link:
     sent: int = 0  #: With a fate: not what was in transit when the log ended.
     delivered: int = 0  #: As it was sent.
     damaged: int = 0  #: Handed over with wrong bits.
-    lost: dict[str, int] = field(default_factory=dict)  #: By cause: docs/fates.md.
+    lost: dict[str, int] = field(default_factory=dict)  #: By cause: docs/reference/fates.md.
     #: From the first byte sent to the last received, of acoustic traffic that was handed over.
     delays_s: list[float] = field(default_factory=list)
     #: By medium and hop, in missions with [[medium]] blocks; hop 0 is from the maker.

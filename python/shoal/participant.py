@@ -1,4 +1,4 @@
-"""A process that takes part in a mission: the clock waits for it (docs/step_protocol.md).
+"""A process that takes part in a mission: the clock waits for it (docs/extending/step_protocol.md).
 
     me = shoal.Participant()                      # started by `shoal run`
     me.subscribe("NAV_ALPHA")

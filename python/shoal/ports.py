@@ -1,4 +1,4 @@
-"""Which LCM port carries which channel of a mission: docs/design.md, lib/bus/bus/layout.h."""
+"""Which LCM port carries which channel of a mission: docs/inside/design.md, lib/bus/bus/layout.h."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The files beside a recorded log: mission.toml, run.txt, summary.txt (docs/logs.md).
+"""The files beside a recorded log: mission.toml, run.txt, summary.txt (docs/missions/logs.md).
 
 A log holds messages only: neither the mission's text nor its verdict. `shoal run --record` writes
 both beside it; a log of `shoal sim --log` has neither.

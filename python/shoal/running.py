@@ -1,4 +1,4 @@
-"""Finds the missions that this user runs: a file each in the run folder (docs/security.md)."""
+"""Finds the missions that this user runs: a file each in the run folder (docs/inside/security.md)."""
 
 from __future__ import annotations
 

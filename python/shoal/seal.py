@@ -1,4 +1,4 @@
-"""The seal behind each message that a participant publishes: docs/step_protocol.md."""
+"""The seal behind each message that a participant publishes: docs/extending/step_protocol.md."""
 
 from __future__ import annotations
 

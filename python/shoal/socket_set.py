@@ -13,7 +13,7 @@ from .wire import Assembler, split_message
 
 _WANTED_BUFFER = 4 << 20  # Bytes; the kernel gives what net.core.rmem_max allows.
 _MOST_AT_ONCE = 1000  # Datagrams of a port before the next port has its turn.
-_HINT = "run `shoal doctor`, or see docs/troubleshooting.md"
+_HINT = "run `shoal doctor`, or see docs/start/troubleshooting.md"
 
 
 class SocketSet:

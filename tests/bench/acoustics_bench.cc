@@ -1,6 +1,6 @@
 // How many receptions the acoustic network brings to their receivers per second and core; see the
 // counter items_per_second. MunetWorkload are workloads of muNet's own, to be run beside it on the
-// same machine; docs/performance.md has what came of that.
+// same machine; docs/inside/performance.md has what came of that.
 //
 //   build/bin/acoustics_bench
 

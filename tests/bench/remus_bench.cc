@@ -1,6 +1,6 @@
 // What one step of a Remus 100 costs; it must be under 1 microsecond on one core: "of_promise" is
 // how many times faster it is. MunetDynamics and MunetPathFollowing are workloads of muNet's own,
-// to be run beside it on the same machine; docs/performance.md has what came of that.
+// to be run beside it on the same machine; docs/inside/performance.md has what came of that.
 //
 //   build/bin/remus_bench
 

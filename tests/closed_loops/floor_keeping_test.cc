@@ -1,6 +1,6 @@
 // How near a Remus 100 comes to the sea floor, 2 m/s fast, its clearance 5 m: by the chart, by its
 // altimeter alone, by its sonar; as it follows a path and as it follows another vehicle. The
-// figures are those of docs/ocean.md.
+// figures are those of docs/missions/ocean.md.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -66,7 +66,7 @@ Outcome PassGap(double gap_m, double current_mps, bool speed_along_bow = true) {
   return outcome;
 }
 
-// docs/guidance.md has the table.
+// docs/vehicles/guidance.md has the table.
 TEST(AGap, IsPassedWithoutContactOrWaitedBefore) {
   for (const double gap_m : {30.0, 60.0, 100.0}) {
     for (const double current_mps : {0.0, 0.2, 0.4, 0.6, 0.8}) {

@@ -1,5 +1,5 @@
 // Encounters in closed loops, held against the tracks of MOOS-IvP's helm (tests/golden/README.md,
-// helm/). docs/colregs.md lists what differs, and why.
+// helm/). docs/vehicles/colregs.md lists what differs, and why.
 #include "tests/closed_loops/meeting_vessels.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // muNet's gains of heading in the loop of a mission, in which a command takes effect a step after
-// the NAV that it was decided from. docs/vehicles.md has the numbers for every tick.
+// the NAV that it was decided from. docs/vehicles/vehicles.md has the numbers for every tick.
 #include <gtest/gtest.h>
 
 #include <algorithm>

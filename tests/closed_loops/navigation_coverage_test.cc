@@ -141,7 +141,7 @@ TEST(NavigationCoverage, TheEllipseHoldsTheTruthOfTheVehicleInEachPhaseOfTheMiss
   std::array<Tally, kWays.size()> tallies;
   for (int seed = 1; seed <= num_seeds; ++seed) RunSeed(static_cast<uint64_t>(seed), &tallies);
   // The shares of 40 seeds scatter by 3 %, since one vehicle's errors are alike. Of 300 seeds two
-  // of the 15 shares miss what is asked here, by 0.1 and 0.4 % (docs/navigation.md).
+  // of the 15 shares miss what is asked here, by 0.1 and 0.4 % (docs/vehicles/navigation.md).
   const double least = asked == nullptr ? 0.86 : 0.92;
   const double greatest = asked == nullptr ? 1 : 0.98;
   for (size_t i = 0; i < kWays.size(); ++i) {

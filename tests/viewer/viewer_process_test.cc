@@ -126,7 +126,7 @@ TEST(Viewer, ShowsVehiclesThatMoveAndTheRulesInForce) {
 TEST(Viewer, ShowsRulesThatWereChangedBeforeItJoined) {
   const TestFolder folder;
   const RunningProcess mission(folder, RunArguments({"--warp", "1", "--quiet"}));
-  // A rule that is sent before the first step is of no effect (docs/step_protocol.md).
+  // A rule that is sent before the first step is of no effect (docs/extending/step_protocol.md).
   AwaitStatus(folder, "shore_broker", {"Known Vehicles: 2"});
   const Finished sent = RunShoal(folder, {"send", "comms_range", "77"});
   ASSERT_EQ(sent.exit_code, 0) << sent.output;

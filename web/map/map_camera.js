@@ -6,7 +6,7 @@ const kLeastScale = 0.005;
 const kMaxScale = 5000;
 // The height of the lower edge that belongs to the scale bar and the pointer's place.
 const kScaleBar = 44;
-// No mission goes farther from its origin (docs/mission_file.md).
+// No mission goes farther from its origin (docs/missions/mission_file.md).
 const kReach_m = 2e6;
 
 export class Camera {

@@ -1,5 +1,5 @@
 // A recorded mission that lies in the page itself (lib/tools/view/page_recording.h): answers what a
-// viewer would (docs/viewer_protocol.md), without one.
+// viewer would (docs/extending/viewer_protocol.md), without one.
 
 import {RequestError} from './requests.js';
 

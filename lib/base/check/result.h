@@ -47,7 +47,7 @@ class [[nodiscard]] Result {
   std::variant<T, Error> state_;
 };
 
-/// What the process ends with: docs/design.md, "Exit codes".
+/// What the process ends with: docs/inside/design.md, "Exit codes".
 enum ExitCode : int {
   kExitOk = 0,
   kExitMissionFailed = 1,  ///< The mission ran, and missed its own success criteria.

@@ -138,7 +138,7 @@ TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
 }
 
 TEST(WirePage, HoldsEachTypeToTheFingerprintThatWasPublished) {
-  const std::string page = FileText(SHOAL_SOURCE_DIR "/docs/wire.md");
+  const std::string page = FileText(SHOAL_SOURCE_DIR "/docs/inside/wire.md");
   const std::regex row(R"(\n\| `(\w+)` \| ([0-9.]+|next) \| `([0-9a-f]{16})` \|)");
   std::map<std::string, int64_t> on_page;
   for (auto it = std::sregex_iterator(page.begin(), page.end(), row); it != std::sregex_iterator();
@@ -146,7 +146,8 @@ TEST(WirePage, HoldsEachTypeToTheFingerprintThatWasPublished) {
     on_page["shoal." + it->str(1)] = static_cast<int64_t>(std::stoull(it->str(3), nullptr, 16));
   }
   EXPECT_EQ(on_page, Fingerprints(ShoalSchema()))
-      << "a published type never changes: make a new one (docs/wire.md), and give it a row there";
+      << "a published type never changes: make a new one (docs/inside/wire.md), and give it a row "
+         "there";
 }
 
 TEST(Schema, GivesTypesOfEveryShapeTheFingerprintOfLcmGen) {

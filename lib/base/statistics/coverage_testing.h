@@ -14,7 +14,7 @@ namespace shoal {
 inline constexpr int kSimulatedCampaigns = 10'000;
 
 /// Returns the share of simulated campaigns of which `covers(stream)` is true, and records it in
-/// the test's XML under `name`; docs/campaign_statistics.md lists the figures.
+/// the test's XML under `name`; docs/campaigns/report.md lists the figures.
 template <std::predicate<Stream*> Covers>
 double MeasureCoverage(const std::string& name, Covers covers) {
   int num_covered = 0;

@@ -16,7 +16,7 @@ namespace shoal {
 [[nodiscard]] Interval ExactShareInterval(int64_t successes, int64_t trials, double confidence);
 
 /// Returns the smallest interval that contains both of the above: Wilson's alone covers less than
-/// stated at confidences above 0.95, as docs/campaign_statistics.md shows. 0 to 1 without trials.
+/// stated at confidences above 0.95, as docs/campaigns/report.md shows. 0 to 1 without trials.
 /// @pre 0 <= successes <= trials, 0 <= confidence <= 1
 [[nodiscard]] Interval ShareInterval(int64_t successes, int64_t trials, double confidence);
 

@@ -1,5 +1,5 @@
 // Every channel of shoal: its name, its type, which apps publish it and which subscribe to it.
-// docs/channels.md is made from the table here (`shoal channels`).
+// docs/reference/channels.md is made from the table here (`shoal channels`).
 //
 // A name is <TOPIC> or <TOPIC>_<VEHICLE>, upper case. A channel with a vehicle's name lives in that
 // vehicle's community, one without lives at the shore: that alone decides which LCM port carries it

@@ -1,7 +1,7 @@
 // The causes of fates: one enumerator and one row each. Everything else that knows causes draws on
 // this table: COMMS_FATES, mission files, the broker's page, texts of fates, the viewer and the
-// tables of docs/fates.md, which tests hold against it. A new cause: one enumerator, one row, and
-// the place that decides (CONTRIBUTING.md).
+// tables of docs/reference/fates.md, which tests hold against it. A new cause: one enumerator, one
+// row, and the place that decides (CONTRIBUTING.md).
 #pragma once
 
 #include <array>

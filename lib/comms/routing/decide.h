@@ -1,5 +1,5 @@
 // The rules of the node-comms manual at one receiver: lib/comms/routing/decide.cc has each of them,
-// and their order for each kind of transmission. docs/fates.md lists the orders.
+// and their order for each kind of transmission. docs/reference/fates.md lists the orders.
 #pragma once
 
 #include <cstdint>

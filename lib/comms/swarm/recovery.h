@@ -6,8 +6,8 @@
 //     Use(recovered->value);
 //
 // Strategies are tried in the plan's order; the first that has a value is taken. A field
-// without any, and the strategy `skip`, drop the message. docs/swarm.md shows what each strategy
-// makes of each field.
+// without any, and the strategy `skip`, drop the message. docs/communication/swarm.md shows what
+// each strategy makes of each field.
 #pragma once
 
 #include <Eigen/Core>

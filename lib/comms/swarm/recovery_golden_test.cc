@@ -1,6 +1,6 @@
 // Every row of munet/recovery.json: what a strategy makes of a damaged field. Where muNet differs
 // from its documentation the file's `right_value` stands, and where that is missing the rules of
-// docs/swarm.md, worked out here once more.
+// docs/communication/swarm.md, worked out here once more.
 #include <gtest/gtest.h>
 
 #include "lib/comms/swarm/recovery.h"

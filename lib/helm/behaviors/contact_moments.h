@@ -21,7 +21,7 @@ struct MomentFlag {
   Flag flag;
 };
 
-/// Parses each; the error names the one that is wrong. docs/modes.md lists the moments.
+/// Parses each; the error names the one that is wrong. docs/vehicles/modes.md lists the moments.
 [[nodiscard]] Result<std::vector<MomentFlag>> ParseMomentFlags(
     const std::vector<std::string>& texts);
 

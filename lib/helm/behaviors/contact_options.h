@@ -23,7 +23,7 @@ struct ContactOptions {
   double vertical_separation = 10;
   bool exit_on_filter_group = false;   ///< Ends when the contact's group no longer passes.
   bool post_per_contact_info = false;  ///< Posts range, closing speed and role with its name.
-  /// "@cpa VAR = value", "@os_passes_cn ...": docs/modes.md lists the moments.
+  /// "@cpa VAR = value", "@os_passes_cn ...": docs/vehicles/modes.md lists the moments.
   std::vector<std::string> cnflag = {};
 
   bool operator==(const ContactOptions&) const = default;

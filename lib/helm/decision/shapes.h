@@ -5,7 +5,7 @@
 //   const auto speed = PeakOverAxis(domain.speed_mps, 2, 1, 1.6, 20);
 //   const Objective toward_the_point = Couple(course, speed, 50, 50);
 //
-// Formulas: docs/decision.md. Angles in degrees, compass.
+// Formulas: docs/vehicles/decision.md. Angles in degrees, compass.
 #pragma once
 
 #include <vector>

@@ -1,7 +1,7 @@
 // How well a vessel kept to the collision regulations in an encounter: a rubric after Woerner
 // (2016, 2019): safety by range and pose at the closest approach, and rules 8 and 13 to 17 by what
-// the vessel did. The formulas are shoal's own; docs/encounters.md has all of them with their
-// reasons.
+// the vessel did. The formulas are shoal's own; docs/vehicles/encounters.md has all of them with
+// their reasons.
 #pragma once
 
 #include <optional>

@@ -43,7 +43,8 @@ struct ImazuRow {
   size_t num_targets;
 };
 
-// Where the sources differ, docs/encounters.md states what was taken and why (cases 2, 8, 12).
+// Where the sources differ, docs/vehicles/encounters.md states what was taken and why (cases 2, 8,
+// 12).
 constexpr std::array<ImazuRow, kNumImazuCases> kImazu = {{
     {{{{180}}}, 1},
     {{{{-90}}}, 1},

@@ -3,7 +3,7 @@
 //   const EncounterScenario head_on = ImazuCase(1, {});
 //
 // x East, y North. All vessels go straight from start to goal and, unless one of them alters, meet
-// at or near the origin at the same time. docs/encounters.md states sources and choices.
+// at or near the origin at the same time. docs/vehicles/encounters.md states sources and choices.
 #pragma once
 
 #include <Eigen/Core>

@@ -7,7 +7,7 @@
 //   3. here its declaration, and one line in Describe(Fields&, Mission&):
 //        file.Below("netsim", [&](Fields& fields) { Describe(fields, mission.netsim); });
 //   4. where it names vehicles or depends on other tables: a check in validate.h;
-//   5. docs/mission_file.md: its keys (a test shows which are missing there).
+//   5. docs/missions/mission_file.md: its keys (a test shows which are missing there).
 // Reading, unknown keys, suggestions, overrides, templates, --explain follow from these.
 #pragma once
 

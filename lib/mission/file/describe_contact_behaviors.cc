@@ -25,8 +25,8 @@ void Describe(Fields& fields, ContactOptions& options, bool is_recipe) {
   TextsOrOne(fields, "cnflag", options.cnflag, kMaxFlags);
   const auto moments = ParseMomentFlags(options.cnflag);
   if (!moments.ok()) fields.Refuse("cnflag", moments.error());
-  fields.NoKey("extrapolate", "a helm always extrapolates its contacts: docs/contacts.md");
-  fields.NoKey("decay", "a helm always extrapolates its contacts: docs/contacts.md");
+  fields.NoKey("extrapolate", "a helm always extrapolates its contacts: docs/vehicles/contacts.md");
+  fields.NoKey("decay", "a helm always extrapolates its contacts: docs/vehicles/contacts.md");
   fields.NoKey("use_refinery", "decisions are exact without it");
 }
 

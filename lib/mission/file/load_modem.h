@@ -1,4 +1,5 @@
-// Reads acoustic modems from files, data/modems/*.toml; docs/acoustics_models.md has their keys.
+// Reads acoustic modems from files, data/modems/*.toml; docs/communication/acoustics_models.md has
+// their keys.
 //
 //   LoadedModem loaded = LoadModem("data/modems/nanomodem_v3.toml");
 //   if (!loaded.errors.empty()) { print them; exit 2; }

@@ -161,7 +161,7 @@ TEST(ModemFile, WritesWhatReadsBackTheSame) {
 }
 
 TEST(ModemFile, WritesNoKeyThatTheDocumentationDoesNotHave) {
-  const std::string page = PageOf("acoustics_models.md");
+  const std::string page = PageOf("communication/acoustics_models.md");
   Problems problems("", {});
   const std::optional<Value> root =
       ParseToml(ModemFileOf(LoadModemText(kSound, "m.toml").modem), problems);
@@ -175,7 +175,7 @@ TEST(ModemFile, WritesNoKeyThatTheDocumentationDoesNotHave) {
 }
 
 TEST(ModemPresets, AreSoundAndNamedInTheDocumentation) {
-  const std::string page = PageOf("acoustics_models.md");
+  const std::string page = PageOf("communication/acoustics_models.md");
   EXPECT_GE(Presets().size(), 4U);
   for (const fs::path& path : Presets()) {
     EXPECT_EQ(LoadModem(path.string()).errors, std::vector<std::string>()) << path;
@@ -199,7 +199,7 @@ int Reach(const ModemPreset& modem, const Sea& sea) {
 }
 
 TEST(ModemPresets, ReachAsFarAsTheDocumentationStates) {
-  const std::string page = PageOf("acoustics_models.md");
+  const std::string page = PageOf("communication/acoustics_models.md");
   for (const fs::path& path : Presets()) {
     const ModemPreset modem = LoadModem(path.string()).modem;
     const std::string reach = std::to_string(Reach(modem, {.spreading_exponent = 1.5})) + " | " +

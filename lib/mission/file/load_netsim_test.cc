@@ -151,7 +151,7 @@ TEST(LoadNetsim, WarnsOfModelsThatDamageNearlyEveryPacketOfAModem) {
           "m.toml:9:19: warning: of a modem's packets of 47 bytes 66 % arrive whole at 1000 m, of "
           "those of 2105 bytes 0 %: poisson flips one bit of 1000, and crc = true throws "
           "damaged packets away. Leave the models out, for those of a modem "
-          "(docs/choosing_acoustics.md)"});
+          "(docs/communication/acoustic_network.md)"});
   EXPECT_EQ(LoadWith("bit_error_model = \"poisson\"\ncrc = false\n").warnings,
             std::vector<std::string>());
   EXPECT_EQ(LoadWith("bit_error_model = \"off\"\n").warnings, std::vector<std::string>());

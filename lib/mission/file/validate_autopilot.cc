@@ -1,5 +1,5 @@
 // Warns of gains that cannot steer a Remus 100 at the mission's ticks, or not with its parameters.
-// docs/vehicles.md has the measurements.
+// docs/vehicles/vehicles.md has the measurements.
 #include <fmt/format.h>
 
 #include <string>

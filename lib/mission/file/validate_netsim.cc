@@ -113,7 +113,7 @@ void WarnOfBitErrors(const Mission& mission, const TablePlace& file) {
                 "of a modem's packets of {} bytes {:.0f} % arrive whole at {:g} m, of those "
                 "of {} bytes {:.0f} %: {} flips one bit of {:.0f}, and crc = true throws "
                 "damaged packets away. Leave the models out, for those of a modem "
-                "(docs/choosing_acoustics.md)",
+                "(docs/communication/acoustic_network.md)",
                 kShort_bytes, 100 * share(kShort_bytes), options.nominal_distance_m, kLong_bytes,
                 100 * share(kLong_bytes), ChoiceText(options.bit_error_model), 1 / wrong));
 }

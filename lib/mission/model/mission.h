@@ -1,5 +1,5 @@
 // A mission as data, every default filled in. lib/mission/file/load.h makes one from a file;
-// docs/mission_file.md documents each key.
+// docs/missions/mission_file.md documents each key.
 #pragma once
 
 #include <cstdint>
@@ -65,7 +65,7 @@ struct Participant {
 enum class OnLoss { kEnd, kContinue, kRestart };
 
 /// `[[host]]`: another computer, on which `shoal host` runs the processes of some vehicles
-/// (docs/many_machines.md).
+/// (docs/missions/many_machines.md).
 struct HostOptions {
   std::string name;
   std::string address;  ///< "tcp://10.0.0.2:7700"; empty until `shoal run` needs it.

@@ -14,7 +14,7 @@ class Fields;
 
 /// `[vehicle.remus100]`: the underwater vehicle and its autopilots.
 struct Remus100Options {
-  std::string parameters = "default";  ///< default, munet or fossen: docs/vehicles.md.
+  std::string parameters = "default";  ///< default, munet or fossen: docs/vehicles/vehicles.md.
   double model_step_s = 0.02;          ///< The longest step of integration within a tick.
   double cruise_depth_m = 0;           ///< Of tasks that name no depth.
   double max_depth_m = 100;

@@ -1,5 +1,5 @@
 // `[netsim]` of a mission file: which hosts may connect from outside, as which vehicle, and where
-// it may be. docs/netsim.md
+// it may be. docs/communication/netsim.md
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // The rules in force at a broker, and COMMS_RULES, which states them: a list of keys and values, so
-// that a rule can come or go while the type of the message stays (docs/wire.md).
+// that a rule can come or go while the type of the message stays (docs/inside/wire.md).
 //
 //   if (const auto rules = ReadBrokerRules(event.data)) ...   // Of any version's log.
 #pragma once

@@ -205,11 +205,13 @@ TEST(CommsExample, HasEachRuleWithItsDefaultAndLoads) {
 }
 
 TEST(MissionFilePage, HasARowForEachRuleOfCommsAndVehicles) {
-  const std::string page = PageText("docs/mission_file.md");
+  const std::string page =
+      PageText("docs/missions/mission_file.md") + PageText("docs/missions/mission_file.md");
   for (const RuleRow& row : kRuleTable) {
     if (row.type == RuleType::kRequest) continue;
     const std::string line = LineOf(page, row.rule);
-    EXPECT_NE(line, "") << "docs/mission_file.md has no row of " << row.rule;
+    EXPECT_NE(line, "") << "neither docs/missions/mission_file.md nor vehicle.md has a row of "
+                        << row.rule;
     if (!row.word.empty() && row.type == RuleType::kNumber) {
       EXPECT_NE(line.find(row.word), line.npos) << row.rule << " takes " << row.word;
     }
@@ -222,11 +224,12 @@ TEST(MissionFilePage, HasARowForEachRuleOfCommsAndVehicles) {
 }
 
 TEST(ShoreBrokerPage, HasARowForEachRuleThatCanChange) {
-  const std::string page = PageText("docs/app_shore_broker.md");
+  const std::string page = PageText("docs/communication/shore_broker.md");
   for (const ControlRow& row : ControlTable()) {
     const std::string line = LineOf(page, row.rule);
     EXPECT_NE(line.find("`" + std::string(row.channel) + "`"), line.npos)
-        << "docs/app_shore_broker.md has no row of " << row.rule << " with " << row.channel;
+        << "docs/communication/shore_broker.md has no row of " << row.rule << " with "
+        << row.channel;
   }
 }
 

@@ -103,7 +103,7 @@ std::string WhyMissing(const std::string& program) {
   std::error_code error;
   const fs::path folder = fs::path(ExecutableDirectory()).parent_path();
   if (!fs::exists(folder / "CMakeCache.txt", error)) {
-    return fmt::format("is not in {}: install shoal again (docs/install.md)",
+    return fmt::format("is not in {}: install shoal again (docs/start/install.md)",
                        ExecutableDirectory());
   }
   // A path from the current folder, as one types it, unless it begins with "..".

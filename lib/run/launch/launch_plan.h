@@ -70,7 +70,7 @@ std::string HandCommand(const RosterEntry& entry, const LaunchContext& context);
 [[nodiscard]] Result<ChildCommand> ViewerCommand(const LaunchContext& context);
 
 /// Returns the environment of a process by its name, as "SHOAL_PORT=7665" and so on;
-/// docs/step_protocol.md. One that the launcher starts has SHOAL_SECRET_FD too.
+/// docs/extending/step_protocol.md. One that the launcher starts has SHOAL_SECRET_FD too.
 std::vector<std::string> ParticipantEnvironment(const std::string& name,
                                                 const LaunchContext& context);
 

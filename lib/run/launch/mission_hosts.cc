@@ -60,7 +60,7 @@ Result<HostAccess> PrepareHosts(const Mission& mission, const RunOptions& option
     if (host.address.empty() || host.key.empty()) {
       return Error{fmt::format(
           "{}: [[host]] {} runs vehicles and has no {}: write address = \"tcp://ADDRESS:PORT\" and "
-          "key = \"FILE.pub\" (docs/many_machines.md)",
+          "key = \"FILE.pub\" (docs/missions/many_machines.md)",
           mission.file, host.name, host.address.empty() ? "address" : "key")};
     }
     const Result<std::string> public_key = FindPublicKey(host.key, folder);
@@ -265,7 +265,7 @@ void MissionHosts::OnMessage(size_t number, const LinkMessage& message, int64_t 
       if (channel.empty() || std::exchange(host.has_shown_dropped, true)) break;
       notes_.push_back(
           fmt::format("{} sent a message on {}, where none of its processes publishes; dropped, "
-                      "and counted in the summary (docs/security.md)",
+                      "and counted in the summary (docs/inside/security.md)",
                       Describe(host), channel));
       break;
     }

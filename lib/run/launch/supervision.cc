@@ -453,7 +453,7 @@ void Supervision::CheckFaults(int64_t wall_us, int64_t num_foreign) {
     has_shown_refused_ = true;
     terminal_.Warn(fmt::format(
         "an answer in the name of {} was refused: its seal does not prove this mission's "
-        "secret, which is in {} (docs/step_protocol.md)",
+        "secret, which is in {} (docs/extending/step_protocol.md)",
         clock_.refused(), SecretPath(context_.ports.base())));
   }
   if (!has_shown_foreign_ && clock_.counters().foreign + num_foreign > 0) {

@@ -1,4 +1,4 @@
-// docs/step_protocol.md against the constants of the code.
+// docs/extending/step_protocol.md against the constants of the code.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace shoal::protocol_docs_test {
 
 TEST(StepProtocolPage, StatesHowManyMessagesFromOutsideAStepTakes) {
-  std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/step_protocol.md");
+  std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/extending/step_protocol.md");
   const std::string page((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   constexpr size_t kThousand = 1000;
   const std::string limit =

@@ -1,5 +1,5 @@
 // A simulated WHOI Micro-Modem: sentences of its host on one side, packets of the acoustic network
-// on the other. docs/micromodem.md lists the sentences.
+// on the other. docs/communication/micromodem.md lists the sentences.
 //
 //   MicroModem modem({.address = 1});
 //   Pass(modem.Advance(now_us));                             // at least in every step

@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-// Metres, at the scale of surface craft; other scales stretch them (docs/encounters.md).
+// Metres, at the scale of surface craft; other scales stretch them (docs/vehicles/encounters.md).
 constexpr double kOuter_m = 150;  // Five times kUtil_m: an encounter is seen early enough.
 constexpr double kInner_m = 75;
 constexpr double kCompleted_m = 165;
@@ -59,7 +59,7 @@ class MissionText {
 
   std::string Write(const std::string& words) {
     text_ = fmt::format(
-        "# {}{}.\n#\n# Made by `shoal encounters {}`; docs/encounters.md.\n\n"
+        "# {}{}.\n#\n# Made by `shoal encounters {}`; docs/vehicles/encounters.md.\n\n"
         "[mission]\nname = \"{}{}\"\ndescription = \"{}\"\nduration_s = {}\nseed = {}\n{}\n"
         "[comms]\ncomms_range = \"nolimit\"\nstale_time = \"nolimit\"\n\n",
         scenario_.description, options_.others_hold ? ", the others hold course" : "", words,

@@ -1,4 +1,5 @@
-// A campaign as data: one mission, asked many times over. docs/campaigns.md documents each key.
+// A campaign as data: one mission, asked many times over. docs/campaigns/campaigns.md documents
+// each key.
 #pragma once
 
 #include <cstdint>

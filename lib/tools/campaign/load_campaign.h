@@ -1,4 +1,4 @@
-// Reads campaign files. docs/campaigns.md documents each key.
+// Reads campaign files. docs/campaigns/campaigns.md documents each key.
 //
 //   LoadedCampaign loaded = LoadCampaign("campaigns/crossing.toml");
 //   if (!loaded.errors.empty()) { print them; exit 2; }

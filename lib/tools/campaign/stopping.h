@@ -3,7 +3,7 @@
 // A look is at the first looks[k] repetitions of a case, in the order of their numbers, whatever
 // was finished when: the answer does not depend on how many workers there were. The interval of a
 // look is a repeated confidence interval: those of all looks, and that of all repetitions at the
-// end, cover together (lib/base/statistics/alpha_spending.h). docs/campaign_statistics.md has why.
+// end, cover together (lib/base/statistics/alpha_spending.h). docs/campaigns/report.md has why.
 #pragma once
 
 #include <cstdint>

@@ -67,8 +67,9 @@ TEST(CheckMetrics, RefusesVehiclesAndGroupsThatDoNotExist) {
 TEST(CheckMetrics, RefusesChannelsThatDoNotExist) {
   EXPECT_EQ(ErrorOf("a = { channel = \"NAV_BRAWO\", field = \"x_m\" }"),
             "c.toml:2:17: the mission has no channel 'NAV_BRAWO' (did you mean 'NAV_BRAVO'?)");
-  EXPECT_EQ(ErrorOf("a = { channel = \"QQQQ\", field = \"x_m\" }"),
-            "c.toml:2:17: the mission has no channel 'QQQQ'; docs/channels.md has them all");
+  EXPECT_EQ(
+      ErrorOf("a = { channel = \"QQQQ\", field = \"x_m\" }"),
+      "c.toml:2:17: the mission has no channel 'QQQQ'; docs/reference/channels.md has them all");
   EXPECT_EQ(ErrorOf("a = { channel = \"TICK\", field = \"step\" }"),
             "c.toml:2:17: TICK is not in a mission's log: name a channel that is");
 }

@@ -1,4 +1,4 @@
-// A number that a trial of a campaign yields, as data. docs/campaign_metrics.md documents each
+// A number that a trial of a campaign yields, as data. docs/campaigns/metrics.md documents each
 // kind.
 #pragma once
 

@@ -32,7 +32,7 @@ Result<const ChannelRow*> FindMetricChannel(const Mission& mission, std::string_
   }
   const std::vector<std::string_view> candidates(names.begin(), names.end());
   std::string hint = DidYouMean(channel, candidates);
-  if (hint.empty()) hint = "; docs/channels.md has them all";
+  if (hint.empty()) hint = "; docs/reference/channels.md has them all";
   return Error{fmt::format("the mission has no channel {}{}", Quoted(channel), hint)};
 }
 

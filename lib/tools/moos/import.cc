@@ -106,7 +106,7 @@ class Importer {
                        "\n#\n"
                        "# Settings name the line that they come from. Lines that shoal has no use "
                        "for are comments\n"
-                       "# that state why. docs/coming_from_moos.md explains the rest.\n#\n"
+                       "# that state why. docs/start/coming_from_moos.md explains the rest.\n#\n"
                        "# Vehicles wait for `shoal send all deploy`, or for an [[event]] with "
                        "command = \"deploy\".\n";
     if (!warp.empty()) text += "# MOOSTimeWarp: shoal run MISSION.toml --warp " + warp + "\n";

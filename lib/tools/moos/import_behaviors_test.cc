@@ -266,7 +266,7 @@ TEST(BhvKeys, HaveOneMeaningForEachKindAndName) {
 }
 
 TEST(BhvKeys, AreInTheDocumentation) {
-  std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/docs/import_bhv.md");
+  std::ifstream in(std::string(SHOAL_SOURCE_DIR) + "/docs/reference/import_bhv.md");
   std::map<std::string, std::string> row_of_kind;
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with("| all | |")) row_of_kind["*"] = line;

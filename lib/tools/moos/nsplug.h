@@ -12,7 +12,7 @@
 // $(X=d) is d where X is not defined, $(X:=d) also where it is empty. An empty macro is not defined
 // for #ifdef X, || and #ifndef. Values are expanded where they are used. A line with one macro that
 // has no value stays as it is written: some apps have macros of their own. What nsplug refuses is
-// taken as it is meant, with a reason. docs/import_bhv.md
+// taken as it is meant, with a reason. docs/reference/import_bhv.md
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// The figures of `shoal plot`: docs/plots.md shows what is on each.
+// The figures of `shoal plot`: docs/missions/logs.md shows what is on each.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// The report of a campaign as one page for a browser. docs/campaign_report.md
+// The report of a campaign as one page for a browser. docs/campaigns/report.md
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // The numbers of a campaign's report, from which the text, the page and the figures are made.
-// docs/campaign_statistics.md documents the intervals.
+// docs/campaigns/report.md documents the intervals.
 #pragma once
 
 #include <array>

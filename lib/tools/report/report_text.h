@@ -1,4 +1,4 @@
-// A campaign's report for a terminal of 100 columns. docs/campaign_statistics.md explains it.
+// A campaign's report for a terminal of 100 columns. docs/campaigns/report.md explains it.
 #pragma once
 
 #include <string>

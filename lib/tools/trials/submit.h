@@ -1,5 +1,5 @@
 // A campaign as shards for a cluster: the script that runs one shard, what is missing of each, and
-// the job ids that a folder remembers. docs/campaign_cluster.md
+// the job ids that a folder remembers. docs/campaigns/cluster.md
 //
 //   DIR/slurm/array.sh        the script of a Slurm array: array index K is shard K of N
 //   DIR/slurm/jobs            one line per submitted array: its id and N

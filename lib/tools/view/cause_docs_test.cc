@@ -1,4 +1,5 @@
-// docs/fates.md and docs/acoustic_network.md against the table of causes and the rules' order.
+// docs/reference/fates.md and docs/communication/acoustic_network.md against the table of causes
+// and the rules' order.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -60,7 +61,7 @@ std::vector<std::string> KeysWhere(const Belongs& belongs) {
 }
 
 TEST(FatesPage, HasARowForEachCauseOfTheRulesAndOfTheNetworkAndNoOthers) {
-  const std::vector<PageTable> tables = TablesOf(PageText("docs/fates.md"), "cause");
+  const std::vector<PageTable> tables = TablesOf(PageText("docs/reference/fates.md"), "cause");
   ASSERT_EQ(tables.size(), 2U);
   EXPECT_EQ(KeysOf(tables[0]),
             KeysWhere([](const CauseRow& row) { return !row.of_rules.empty(); }));
@@ -69,7 +70,7 @@ TEST(FatesPage, HasARowForEachCauseOfTheRulesAndOfTheNetworkAndNoOthers) {
 }
 
 TEST(FatesPage, NamesTheNumbersThatATextOfACauseShows) {
-  const std::vector<PageTable> tables = TablesOf(PageText("docs/fates.md"), "cause");
+  const std::vector<PageTable> tables = TablesOf(PageText("docs/reference/fates.md"), "cause");
   ASSERT_EQ(tables.size(), 2U);
   for (const CauseRow& row : kCauseTable) {
     if (row.outcome == CauseOutcome::kPending) continue;
@@ -89,7 +90,7 @@ TEST(FatesPage, NamesTheNumbersThatATextOfACauseShows) {
 }
 
 TEST(FatesPage, ListsTheRulesOfEachKindInTheirOrder) {
-  const std::string page = PageText("docs/fates.md");
+  const std::string page = PageText("docs/reference/fates.md");
   for (const Kind kind : {Kind::kReport, Kind::kMessage, Kind::kPacket}) {
     size_t place = page.find("- A " + std::string(KindText(kind)) + ": ");
     ASSERT_NE(place, page.npos) << KindText(kind);
@@ -104,7 +105,8 @@ TEST(FatesPage, ListsTheRulesOfEachKindInTheirOrder) {
 }
 
 TEST(AcousticNetworkPage, CallsCausesAsTheWireDoes) {
-  const std::vector<PageTable> tables = TablesOf(PageText("docs/acoustic_network.md"), "cause");
+  const std::vector<PageTable> tables =
+      TablesOf(PageText("docs/communication/acoustic_network.md"), "cause");
   ASSERT_EQ(tables.size(), 1U);
   // What never enters the network is described in the text below the table.
   EXPECT_EQ(KeysOf(tables[0]), KeysWhere([](const CauseRow& row) {

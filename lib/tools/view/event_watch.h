@@ -1,5 +1,5 @@
 // Finds the events of a mission: what its vehicles did, what became of their messages, their
-// encounters, what went wrong (docs/viewer_protocol.md).
+// encounters, what went wrong (docs/extending/viewer_protocol.md).
 //
 //   EventWatch watch({{"alpha", 3}, {"bravo", 3}});
 //   watch.OnNav(0, utime, x_m, y_m, z_m);

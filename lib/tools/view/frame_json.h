@@ -1,4 +1,4 @@
-// Writes frames: GET /api/frame and the stream (docs/viewer_protocol.md).
+// Writes frames: GET /api/frame and the stream (docs/extending/viewer_protocol.md).
 #pragma once
 
 #include <span>

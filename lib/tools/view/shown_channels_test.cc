@@ -50,13 +50,13 @@ TEST(ShownChannels, AreNullInAFrameUntilAMessageArrivesAndThenAnObject) {
 }
 
 TEST(ShownChannels, HaveKeysOfTheirOwnWhichThePageOfTheProtocolHas) {
-  std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/viewer_protocol.md");
+  std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/extending/viewer_protocol.md");
   const std::string page{std::istreambuf_iterator<char>(file), {}};
   std::set<std::string_view> keys = {"nav", "report", "helm", "stale", "mode", "outside"};
   ForEachShownChannel([&]<class Row, size_t kRow>() {
     EXPECT_TRUE(keys.insert(Row::kKey).second) << Row::kKey;
     EXPECT_NE(page.find("\"" + std::string(Row::kKey) + "\": {"), std::string::npos)
-        << "docs/viewer_protocol.md does not have " << Row::kKey;
+        << "docs/extending/viewer_protocol.md does not have " << Row::kKey;
   });
 }
 

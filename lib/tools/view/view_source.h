@@ -1,5 +1,5 @@
 // The interface of the viewer's web server to a running or a recorded mission. Answers are
-// JSON as docs/viewer_protocol.md has it.
+// JSON as docs/extending/viewer_protocol.md has it.
 //
 // All functions may be called from any thread.
 #pragma once

@@ -4,7 +4,7 @@
 //   Eigen::Vector3d angle_rates_radps = BodyRatesToEulerRates(phi, theta) * nu.tail<3>();
 //
 // World: x East, y North, z down, psi from East toward North, as the guidance frame
-// (docs/glossary.md).
+// (docs/start/glossary.md).
 #pragma once
 
 #include <Eigen/Core>

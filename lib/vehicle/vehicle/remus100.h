@@ -6,8 +6,8 @@
 //   state.eta << 0, 0, 20, 0, 0, 0;
 //   state = Step(auv, state, {.rudder_rad = 0.1, .propeller_rpm = 1200}, {.floor_z_m = 80}, 0.02);
 //
-// Frames as in docs/glossary.md: x East, y North, z down, psi from East toward North; a positive
-// rudder turns toward +psi. The vehicle neither reads a clock nor draws a random number.
+// Frames as in docs/start/glossary.md: x East, y North, z down, psi from East toward North; a
+// positive rudder turns toward +psi. The vehicle neither reads a clock nor draws a random number.
 #pragma once
 
 #include <Eigen/Core>

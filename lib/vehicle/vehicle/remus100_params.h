@@ -4,7 +4,7 @@
 //   const Remus100 original = BuildRemus100(MunetRemus100());
 //
 // After Fossen's Remus 100 (Python Vehicle Simulator; Fossen 2021, section 8.4.2; propulsion from
-// Allen, Vorus and Prestero, OCEANS 2000). docs/vehicles.md explains how the sets differ.
+// Allen, Vorus and Prestero, OCEANS 2000). docs/vehicles/vehicles.md explains how the sets differ.
 #pragma once
 
 #include <Eigen/Core>

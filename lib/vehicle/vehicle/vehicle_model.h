@@ -1,5 +1,5 @@
-// What makes a vehicle model: four plain structs and one function. docs/vehicles.md shows how to
-// add one.
+// What makes a vehicle model: four plain structs and one function. docs/vehicles/vehicles.md shows
+// how to add one.
 //
 //   static_assert(VehicleModel<SurfaceCraftParams, SurfaceCraftState, SurfaceCraftCommand,
 //                              Eigen::Vector2d>);

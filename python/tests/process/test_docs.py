@@ -1,4 +1,4 @@
-"""The examples of docs/python.md, as they stand there."""
+"""The examples of docs/extending/python.md, as they stand there."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ PORT = 29_980
 
 
 def _examples() -> list[str]:
-    page = (ROOT / "docs/python.md").read_text()
+    page = (ROOT / "docs/extending/python.md").read_text()
     return re.findall(r"```python\n(.*?)```", page, re.DOTALL)
 
 
@@ -54,7 +54,7 @@ def test_the_examples_of_the_page_run_in_order(
 
 
 def test_its_planner_does_what_the_page_states(shoal_program: Path, tmp_path: Path) -> None:
-    page = (ROOT / "docs/python.md").read_text()
+    page = (ROOT / "docs/extending/python.md").read_text()
     (example,) = re.findall(r"```text\n(me = .*?)```", page, re.DOTALL)
     program = tmp_path / "page.py"
     program.write_text(

@@ -1,4 +1,4 @@
-"""The step protocol as a participant follows it, over a bus that is none: docs/step_protocol.md."""
+"""The step protocol as a participant follows it, over a bus that is none: docs/extending/step_protocol.md."""
 
 from __future__ import annotations
 

@@ -111,7 +111,7 @@ def test_every_channel_is_at_the_port_that_its_page_states() -> None:
     homes = {"vehicle": 7670, "shore": 7667, "tick port": 7665, "done port": 7666}
     rows = re.findall(
         r"^\| `(\w+)(_<V>)?` \| `\w+` \| ([\w ]+) \|",
-        (ROOT / "docs/channels.md").read_text(),
+        (ROOT / "docs/reference/channels.md").read_text(),
         re.MULTILINE,
     )
     assert len(rows) > 50
