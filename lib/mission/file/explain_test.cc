@@ -65,9 +65,9 @@ TEST(Explain, WritesNoKeyThatTheDocumentationDoesNotHave) {
   // A modem's keys are documented with the modems, those of each kind of behavior with these.
   std::string page;
   for (const std::string name :
-       {"missions/mission_file.md", "missions/mission_file.md", "missions/mission_file.md",
-        "missions/mission_file.md", "missions/mission_file.md", "missions/mission_file.md", "missions/mission_file.md",
-        "missions/mission_file.md", "missions/mission_file.md", "missions/mission_file.md",
+       {"missions/mission_file.md", "missions/environment.md", "missions/networks.md",
+        "missions/vehicle.md", "missions/instruments.md", "missions/tasks.md", "missions/helms.md",
+        "missions/fleets.md", "missions/events.md", "missions/expectations.md",
         "communication/acoustics_models.md", "reference/behaviors.md", "vehicles/contacts.md",
         "vehicles/colregs.md", "vehicles/modes.md"}) {
     std::ifstream file(std::string(SHOAL_SOURCE_DIR) + "/docs/" + name);

@@ -39,7 +39,7 @@ TEST(KindsOfTask, AreDrawnByTheTestsOfTheLoader) {
 }
 
 TEST(KindsOfTask, StandInTheDocumentationOfMissionFiles) {
-  const std::string row = RowOf(PageOf("missions/mission_file.md"), "kind", "## [[vehicle.task]]");
+  const std::string row = RowOf(PageOf("missions/tasks.md"), "kind", "## [[vehicle.task]]");
   for (const Task& task : OneTaskOfEachKind()) {
     EXPECT_NE(row.find("`" + std::string(KindOf(task)) + "`"), std::string::npos) << KindOf(task);
   }
@@ -69,7 +69,7 @@ TEST(KindsOfBehavior, AreDrawnByTheTestsOfTheLoader) {
 }
 
 TEST(KindsOfBehavior, StandInTheDocumentationOfMissionFiles) {
-  const std::string row = RowOf(PageOf("missions/mission_file.md"), "kind", "## [[vehicle.behavior]]");
+  const std::string row = RowOf(PageOf("missions/helms.md"), "kind", "## [[vehicle.behavior]]");
   for (const AnyBehavior& what : OneBehaviorOfEachKind()) {
     EXPECT_NE(row.find("`" + std::string(KindOf(what)) + "`"), std::string::npos) << KindOf(what);
   }
@@ -133,7 +133,7 @@ TEST(VehicleModels, TurnNoWiderThanFollowersKeepRoomForBeforeObstacles) {
 }
 
 TEST(VehicleModels, StandInTheDocumentationOfMissionFiles) {
-  const std::string page = PageOf("missions/mission_file.md");
+  const std::string page = PageOf("missions/vehicle.md");
   const std::string row = RowOf(page, "model", "## [[vehicle]]");
   for (const AnyModel& model : EachModel()) {
     const std::string name(FactsOfModel(model).name);

@@ -206,11 +206,11 @@ TEST(CommsExample, HasEachRuleWithItsDefaultAndLoads) {
 
 TEST(MissionFilePage, HasARowForEachRuleOfCommsAndVehicles) {
   const std::string page =
-      PageText("docs/missions/mission_file.md") + PageText("docs/missions/mission_file.md");
+      PageText("docs/missions/networks.md") + PageText("docs/missions/vehicle.md");
   for (const RuleRow& row : kRuleTable) {
     if (row.type == RuleType::kRequest) continue;
     const std::string line = LineOf(page, row.rule);
-    EXPECT_NE(line, "") << "neither docs/missions/mission_file.md nor vehicle.md has a row of "
+    EXPECT_NE(line, "") << "neither docs/missions/networks.md nor vehicle.md has a row of "
                         << row.rule;
     if (!row.word.empty() && row.type == RuleType::kNumber) {
       EXPECT_NE(line.find(row.word), line.npos) << row.rule << " takes " << row.word;
