@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "apps/shoal/check_command.h"
+#include "apps/shoal/docs_command.h"
 #include "apps/shoal/doctor.h"
 #include "apps/shoal/group_options.h"
 #include "apps/shoal/host_doctor.h"
@@ -83,22 +84,32 @@ void AddView(Command shoal, CommandAction* action) {
   const Command command =
       shoal.AddSubcommand("view", "Show a recorded mission, or the one that runs, in a browser");
   auto options = std::make_shared<ViewOptions>();
+  auto example = std::make_shared<bool>(false);
   const Option log = command.AddOption(
       "LOG", &options->log, "A log, or the folder of a recording; default: the mission that runs");
   log.Check([](const std::string& text) {
     return text.empty() ? "it is empty: name a log, or the folder of a recording" : "";
   });
+  const Option wants_example = command.AddFlag("--example", example.get(),
+                                               "Show the recorded mission that comes with shoal");
+  wants_example.Excludes(log);
   command
       .AddOption("--mission", &options->mission_file,
                  "The log's mission file; default: the one beside it")
       .Needs(log);
-  AddPort(command, &options->port_base).Excludes(log);
-  command.AddFlag("--allow-commands", &options->allow_commands, kAllowCommands).Excludes(log);
+  AddPort(command, &options->port_base).Excludes(log).Excludes(wants_example);
+  command.AddFlag("--allow-commands", &options->allow_commands, kAllowCommands)
+      .Excludes(log)
+      .Excludes(wants_example);
   AddAddress(command, "--http", "--listen", options.get(), std::nullopt);
   const Option page = command.AddOption("--export", &options->export_path, kExport);
   page.Needs(log).Check([](const std::string& text) { return text.empty() ? kExportEmpty : ""; });
   command.AddOption("--export-step", &options->export_step, kExportStep).Needs(page);
-  command.Callback([options, action] { *action = [options] { return RunView(*options); }; });
+  command.Callback([options, example, action] {
+    *action = [options, example] {
+      return *example ? RunViewOfExample(*options) : RunView(*options);
+    };
+  });
 }
 
 /// Returns the override that "lab2=alpha,bravo" stands for; nothing for other forms.
@@ -369,6 +380,17 @@ void AddDoctor(Command shoal, CommandAction* action) {
   });
 }
 
+void AddDocs(Command shoal, CommandAction* action) {
+  const Command command = shoal.AddSubcommand(
+      "docs", "Print what the pages state about a key of a mission file, or a word");
+  auto options = std::make_shared<DocsOptions>();
+  command.AddOption(
+      "WORDS", &options->words,
+      "A key (comms_range), a table ([[event]]) or words; default: the list of pages");
+  command.AddFlag("--open", &options->open, "Open the page in a browser instead");
+  command.Callback([options, action] { *action = [options] { return RunDocs(*options); }; });
+}
+
 }  // namespace
 
 int RunShoalCommand(int argc, char** argv) {
@@ -387,6 +409,7 @@ int RunShoalCommand(int argc, char** argv) {
   AddHostCommands(shoal, &action);
   ListToolCommands(shoal, "");
   AddDoctor(shoal, &action);
+  AddDocs(shoal, &action);
   shoal.AddSubcommand("channels", "Print the table of all channels (docs/reference/channels.md)")
       .Callback([&action] {
         action = [] {

@@ -121,10 +121,11 @@ TEST(MutatedModems, AreReadWithPositiveNumbersOrRefusedWithTheirPlace) {
 }
 
 TEST(MutatedCampaigns, AreReadOrRefusedWithTheirPlace) {
-  ExpectReadOrRefused({"campaigns/crossing_loiters.toml", "campaigns/lossy_swarm.toml"}, "c.toml",
-                      [](const std::string& text, std::string*) {
-                        return LoadCampaignText(text, "c.toml", "/nowhere").errors;
-                      });
+  ExpectReadOrRefused(
+      {"campaigns/crossing_loiters.toml", "campaigns/lossy_swarm.toml", "campaigns/range.toml"},
+      "c.toml", [](const std::string& text, std::string*) {
+        return LoadCampaignText(text, "c.toml", "/nowhere").errors;
+      });
 }
 
 TEST(MutatedTypes, AreReadOrRefusedWithTheirPlace) {

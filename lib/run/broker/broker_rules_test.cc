@@ -210,8 +210,9 @@ TEST(MissionFilePage, HasARowForEachRuleOfCommsAndVehicles) {
   for (const RuleRow& row : kRuleTable) {
     if (row.type == RuleType::kRequest) continue;
     const std::string line = LineOf(page, row.rule);
-    EXPECT_NE(line, "") << "neither docs/missions/networks.md nor vehicle.md has a row of "
-                        << row.rule;
+    EXPECT_NE(line, "")
+        << "neither docs/missions/networks.md nor docs/missions/vehicle.md has a row of "
+        << row.rule;
     if (!row.word.empty() && row.type == RuleType::kNumber) {
       EXPECT_NE(line.find(row.word), line.npos) << row.rule << " takes " << row.word;
     }

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <optional>
+#include <string>
 
 #include "lib/base/check/result.h"
 #include "lib/run/command_line/find_program.h"
+#include "lib/run/command_line/own_files.h"
 #include "lib/run/command_line/tool_commands.h"
 
 namespace shoal {
@@ -17,6 +20,18 @@ int RunView(const ViewOptions& options) {
     return kExitEnvironment;
   }
   return BecomeProgram(*viewer, ViewerArguments(options));
+}
+
+int RunViewOfExample(ViewOptions options) {
+  const std::optional<std::string> log = FindOwnFile("examples/recorded", ExecutableDirectory());
+  if (!log) {
+    fmt::print(stderr,
+               "shoal: the recorded mission is not on this machine: it comes with the package "
+               "(share/shoal/examples/recorded) and with the sources (examples/recorded)\n");
+    return kExitEnvironment;
+  }
+  options.log = *log;
+  return RunView(options);
 }
 
 }  // namespace shoal

@@ -8,4 +8,8 @@ namespace shoal {
 /// Turns this process into shoal-viewer. Returns, with the exit code, only where that fails.
 int RunView(const ViewOptions& options);
 
+/// The same, of the recorded mission that comes with shoal (examples/recorded). Its absence is an
+/// error of the installation: kExitEnvironment.
+int RunViewOfExample(ViewOptions options);
+
 }  // namespace shoal
