@@ -49,6 +49,17 @@ endforeach()
 install(DIRECTORY examples DESTINATION ${share_dir} USE_SOURCE_PERMISSIONS
   PATTERN CMakeLists.txt EXCLUDE PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY docs/ DESTINATION share/doc/shoal)
+# The same pages as a site, where mkdocs is (scripts/setup --with-docs).
+find_program(SHOAL_MKDOCS mkdocs)
+if(SHOAL_MKDOCS)
+  file(GLOB_RECURSE pages CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/docs/*.md ${CMAKE_SOURCE_DIR}/docs/images/*)
+  add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/site/index.html
+    COMMAND ${CMAKE_SOURCE_DIR}/scripts/docs --out ${CMAKE_BINARY_DIR}/site
+    DEPENDS ${pages} README.md CONTRIBUTING.md CHANGELOG.md lib/README.md scripts/docs
+    COMMENT "Making the site of the pages" VERBATIM)
+  add_custom_target(docs_site DEPENDS ${CMAKE_BINARY_DIR}/site/index.html)
+  install(DIRECTORY ${CMAKE_BINARY_DIR}/site/ DESTINATION share/doc/shoal/html)
+endif()
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/shoal)
 if(TARGET shoal_types_jar)
   install(FILES ${CMAKE_BINARY_DIR}/shoal_types.jar DESTINATION ${share_dir})
@@ -110,7 +121,7 @@ install(FILES ${staging}/shoal_sim.pc DESTINATION lib/pkgconfig)
 add_custom_target(install_parts
   DEPENDS shoal viewer ${tools} ${apps} ${examples} shoal_sim shoal_lcmtypes_c shoal_lcmtypes_gen)
 add_dependencies(install_parts shoal_archive)
-foreach(target man_pages netcdf_reader shoal_types_jar)
+foreach(target docs_site man_pages netcdf_reader shoal_types_jar)
   if(TARGET ${target})
     add_dependencies(install_parts ${target})
   endif()
