@@ -64,6 +64,17 @@ void AvoidObstacleBehavior::LockSide(const Eigen::Vector2d& centre_m, const Vess
   }
 }
 
+bool AvoidObstacleBehavior::LeadsAcross(double bearing_deg, double heading_deg,
+                                        double course_deg) const {
+  if (side_ == Side::kFree) return false;
+  const double to_starboard = side_ == Side::kObstacleToStarboard ? 1 : -1;
+  const double beyond_deg = to_starboard * Wrap180(course_deg - bearing_deg);
+  if (beyond_deg > 0 && beyond_deg < 90) return true;
+  const double off_bow_deg = to_starboard * Wrap180(bearing_deg - heading_deg);
+  const double turn_deg = to_starboard * Wrap180(course_deg - heading_deg);
+  return off_bow_deg > 0 && turn_deg > off_bow_deg && turn_deg < 180;
+}
+
 void AvoidObstacleBehavior::FireFlags(double distance_m, BehaviorAnswer& answer) {
   if (distance_m >= options_.pwt_outer_dist) {
     came_near_ = false;
@@ -121,10 +132,7 @@ BehaviorAnswer AvoidObstacleBehavior::Run(const BehaviorInputs& inputs) {
   for (int course = 0; course < Domain::kNumCourses; ++course) {
     double& value = values[static_cast<size_t>(course)];
     value = 100 * std::clamp((value - lo_m) / span_m, 0.0, 1.0);
-    const double off_deg = Wrap180(bearing_deg - course);
-    const bool wrong_side = (side_ == Side::kObstacleToPort && off_deg > 0 && off_deg < 90) ||
-                            (side_ == Side::kObstacleToStarboard && off_deg < 0 && off_deg > -90);
-    if (wrong_side) value = 0;
+    if (LeadsAcross(bearing_deg, own.heading_deg, course)) value = 0;
   }
   if (*std::max_element(values.begin(), values.end()) <= 0) {
     answer.error = "no course keeps clear of the obstacle '" + options_.id + "'";

@@ -45,6 +45,9 @@ class AvoidObstacleBehavior final : public BehaviorWith<AvoidObstacleOptions> {
 
   const std::vector<Eigen::Vector2d>* Polygon(const BehaviorInputs& inputs) const;
   void LockSide(const Eigen::Vector2d& centre_m, const VesselMotion& own, double relevance);
+  /// Whether a course passes the obstacle on the other side than the one begun with, or the turn to
+  /// it goes across the obstacle.
+  bool LeadsAcross(double bearing_deg, double heading_deg, double course_deg) const;
   void FireFlags(double distance_m, BehaviorAnswer& answer);
 
   Side side_ = Side::kFree;

@@ -83,6 +83,16 @@ TEST(AvoidObstacle, KeepsTheSideThatItHasBegunWith) {
   EXPECT_EQ(ValueOf(*meeting.Run(behavior).objective, 60, 20, 0), 0);
 }
 
+TEST(AvoidObstacle, DoesNotTurnAcrossTheObstacleThatItKeepsOnOneSide) {
+  TestMeeting meeting({.heading_deg = 350, .speed_mps = 2}, {});
+  AvoidObstacleBehavior behavior(Options(SquareAt(0, 17)));
+  const BehaviorAnswer answer = meeting.Run(behavior);
+  // Over starboard, 160 and 175 degrees, across the square; over port, 150 degrees, away from it.
+  EXPECT_EQ(ValueOf(*answer.objective, 150, 20, 0), 0);
+  EXPECT_EQ(ValueOf(*answer.objective, 165, 20, 0), 0);
+  EXPECT_GT(ValueOf(*answer.objective, 200, 20, 0), 90);
+}
+
 TEST(AvoidObstacle, StopsTheHelmInsideOrWarns) {
   TestMeeting meeting(kNorthbound, {});
   AvoidObstacleBehavior strict(Options(SquareAt(0, 0)));
