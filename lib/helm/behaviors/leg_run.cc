@@ -128,7 +128,7 @@ BehaviorAnswer LegRunBehavior::Run(const BehaviorInputs& inputs) {
       InDomain(inputs, speeds.empty() ? options_.speed
                                       : speeds[static_cast<size_t>(num_legs_) % speeds.size()]);
   const bool is_leg = part_ == Part::kLeg1 || part_ == Part::kLeg2;
-  diversion_.Look(inputs.avoids, leg_, position_m, options_.lead);
+  diversion_.Look(inputs.avoids, leg_, position_m, options_.lead, options_.return_angle);
   const TrackLead lead = {.lead_m = options_.lead,
                           .lead_damper_m = options_.lead_damper,
                           .return_deg = diversion_.is_on() ? options_.return_angle : 90};

@@ -8,12 +8,14 @@
 
 namespace shoal {
 
-void Diversion::Look(bool avoids, const Leg& leg, const Eigen::Vector2d& position_m,
-                     double lead_m) {
+void Diversion::Look(bool avoids, const Leg& leg, const Eigen::Vector2d& position_m, double lead_m,
+                     double return_deg) {
   if (avoids) {
     is_on_ = true;
   } else if (is_on_) {
-    is_on_ = std::abs(Project(leg, position_m).cross_track_m) > std::max(0.0, lead_m);
+    const double off_m = std::abs(Project(leg, position_m).cross_track_m);
+    const double return_rad = DegToRad(return_deg);
+    is_on_ = off_m * Cos(return_rad) > std::max(0.0, lead_m) * Sin(return_rad);
   }
 }
 

@@ -18,8 +18,10 @@ struct TrackLead {
 /// Whether a vessel is off its leg because it kept clear of a contact.
 class Diversion {
  public:
-  /// `avoids`: it has a contact to keep clear of. It is over within `lead_m` of the leg.
-  void Look(bool avoids, const Leg& leg, const Eigen::Vector2d& position_m, double lead_m);
+  /// `avoids`: it has a contact to keep clear of. It is over so near to the leg that a lead of
+  /// `lead_m`, m, comes back at no more than `return_deg`, degrees: the course does not jump there.
+  void Look(bool avoids, const Leg& leg, const Eigen::Vector2d& position_m, double lead_m,
+            double return_deg);
   /// The leg is another, or the vessel was taken elsewhere.
   void Forget() { is_on_ = false; }
   [[nodiscard]] bool is_on() const { return is_on_; }

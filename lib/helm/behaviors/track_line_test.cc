@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "lib/base/geometry/angles.h"
+
 namespace shoal::track_line_test {
 
 const Leg kNorth = {.from_m = {0, 0}, .to_m = {0, 100}};
@@ -48,15 +52,36 @@ TEST(SteeringPoint, ComesBackToTheLegAtNoMoreThanTheReturnAngle) {
 TEST(Diversion, LastsFromAContactUntilTheVesselIsBackAtItsLeg) {
   const Leg leg = {.from_m = {0, 0}, .to_m = {0, 100}};
   Diversion diversion;
-  diversion.Look(false, leg, {20, 30}, 8);
+  diversion.Look(false, leg, {20, 30}, 8, 15);
   EXPECT_FALSE(diversion.is_on());
-  diversion.Look(true, leg, {0, 30}, 8);
-  diversion.Look(false, leg, {20, 40}, 8);
+  diversion.Look(true, leg, {0, 30}, 8, 15);
+  diversion.Look(false, leg, {20, 40}, 8, 15);
   EXPECT_TRUE(diversion.is_on());
-  diversion.Look(false, leg, {7.9, 60}, 8);
+  // 8 m tan 15 degrees is 2.14 m: from there on the lead alone comes back at no more than 15.
+  diversion.Look(false, leg, {2.2, 60}, 8, 15);
+  EXPECT_TRUE(diversion.is_on());
+  diversion.Look(false, leg, {2.1, 60}, 8, 15);
   EXPECT_FALSE(diversion.is_on());
-  diversion.Look(false, leg, {20, 60}, 8);
+  diversion.Look(false, leg, {20, 60}, 8, 15);
   EXPECT_FALSE(diversion.is_on());
+}
+
+TEST(Diversion, EndsWithoutAJumpOfTheCourse) {
+  const Leg leg = {.from_m = {0, 0}, .to_m = {0, 500}};
+  Diversion diversion;
+  diversion.Look(true, leg, {0, 30}, 8, 15);
+  double last_deg = 15;
+  for (double off_m = 30; off_m >= 0; off_m -= 0.05) {
+    const Eigen::Vector2d position_m = {off_m, 30};
+    diversion.Look(false, leg, position_m, 8, 15);
+    const Eigen::Vector2d to_m =
+        SteeringPoint(leg, position_m, {.lead_m = 8, .return_deg = diversion.is_on() ? 15.0 : 90}) -
+        position_m;
+    const double course_deg = RadToDeg(std::atan2(-to_m.x(), to_m.y()));
+    EXPECT_NEAR(course_deg, last_deg, 0.5) << off_m << " m off";
+    last_deg = course_deg;
+  }
+  EXPECT_NEAR(last_deg, 0, 0.5);
 }
 
 }  // namespace shoal::track_line_test

@@ -255,7 +255,7 @@ BehaviorAnswer WaypointBehavior::Run(const BehaviorInputs& inputs) {
   if (state_ == State::kDone) return answer;
 
   const double distance_m = (capture_->leg().to_m - position_m).norm();
-  diversion_.Look(inputs.avoids, capture_->leg(), position_m, options_.lead);
+  diversion_.Look(inputs.avoids, capture_->leg(), position_m, options_.lead, options_.return_angle);
   const Eigen::Vector2d steers_for_m = SteersFor(inputs);
   const double speed_mps = InDomain(inputs, Speed(distance_m));
   BehaviorAnswer preference =

@@ -16,6 +16,7 @@ constexpr double kToStarboard_deg = 5;        // One alone, beyond the sector of
 constexpr double kBothToStarboard_deg = 7.5;  // Both together, beyond twice the sector.
 constexpr double kSideSwitch_deg = 5;         // Overtaking: beyond the bow before the side changes.
 constexpr double kClearAgain = 1.5;           // Times min_cpa: what ends in extremis.
+constexpr double kHoldAtMost_deg = 20;        // Off own course: what a vessel that stands on holds.
 constexpr double kNearlyAhead_deg = 315;      // Beta from here on: a contact that crosses shortly.
 
 /// Everything that entries and ends ask about one moment.
@@ -254,6 +255,11 @@ ColregsState NextColregsState(const ColregsState& before, const VesselMotion& ow
     state.entered_s = time_s;
     state.entry_heading_deg = own.heading_deg;
     state.entry_speed_mps = own.speed_mps;
+  } else if (limits.steady && before.stands_on()) {
+    const double off_deg = Wrap180(state.entry_heading_deg - own.heading_deg);
+    if (std::abs(off_deg) > kHoldAtMost_deg) {
+      state.entry_heading_deg = Wrap360(own.heading_deg + std::copysign(kHoldAtMost_deg, off_deg));
+    }
   }
   state.danger_s = DangerSince(state, at);
   const ColregsSubMode sub_mode = SubModeOf(state, is_new, at);

@@ -84,7 +84,8 @@ struct ColregsLimits {
   double min_dwell_s = 3;
   bool head_on_only = false;  ///< No role but head-on.
   /// False: no danger but in extremis, which a vessel that is overtaken is in by the distances of
-  /// one that stands on, and until the two open; the side of overtaking may change.
+  /// one that stands on, and until the two open; the side of overtaking may change; the course to
+  /// hold is that of the entry.
   bool steady = true;
   ClassifyOptions sectors = {};
 };
@@ -94,7 +95,9 @@ struct ColregsState {
   ColregsSubMode sub_mode = ColregsSubMode::kNone;
   double entered_s = 0;
   double sub_mode_since_s = 0;
-  double entry_heading_deg = 0;  ///< Own, at entry: what standing on holds.
+  /// Own, at entry: what standing on holds. Where steady, a vessel that stands on and has turned by
+  /// more than 20 degrees holds a course 20 degrees from its own: what it left is history.
+  double entry_heading_deg = 0;
   double entry_speed_mps = 0;
   std::optional<double> opening_since_s = {};
   ColregsMode ended = ColregsMode::kNone;  ///< The role before this one ...

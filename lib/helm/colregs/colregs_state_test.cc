@@ -190,6 +190,20 @@ TEST(Rule17, RemembersWhatItHolds) {
   EXPECT_EQ(state.entry_speed_mps, 1.7);
 }
 
+TEST(Rule17, HoldsNoCourseThatTheVesselHasLeft) {
+  const VesselMotion contact = ContactAt(60, 315, 90, 2);
+  for (const auto& [turned_deg, held_deg] : {std::pair{25.0, 7.0}, {57.0, 37.0}, {320.0, 340.0}}) {
+    ColregsState state = First({.heading_deg = 7, .speed_mps = 1.7}, contact);
+    ASSERT_TRUE(state.stands_on());
+    const VesselMotion turned = {.heading_deg = turned_deg, .speed_mps = 1.7};
+    EXPECT_NEAR(NextColregsState(state, turned, contact, kLimits, 1).entry_heading_deg, held_deg,
+                1e-9);
+    ColregsLimits original = kLimits;
+    original.steady = false;
+    EXPECT_EQ(NextColregsState(state, turned, contact, original, 1).entry_heading_deg, 7);
+  }
+}
+
 TEST(Rule17b, ActsWhenTheOtherAloneCanNotKeepClearAnyMore) {
   const ColregsState state = First(Northbound(2), ContactAt(24, 315, 90, 2));
   EXPECT_EQ(TextOf(state), "stand-on:in_extremis");

@@ -53,12 +53,7 @@ double BearingFrom(const Eigen::Vector2d& offset_m, double heading_deg) {
 
 void EncounterWatch::Look(double time_s, std::span<const VesselSample> vessels) {
   if (has_looked_ && !(time_s > last_s_)) return;
-  keeps_clear_.assign(vessels.size(), false);
-  for (const auto& [pair, open] : open_) {
-    for (const EncounterSide& side : open.encounter.sides) {
-      if (KeepsClear(side.role) && side.vessel < vessels.size()) keeps_clear_[side.vessel] = true;
-    }
-  }
+  FindDuties(vessels.size());
   for (auto it = open_.begin(); it != open_.end();) {
     if (Update(time_s, vessels, &it->second)) {
       ++it;
@@ -83,6 +78,19 @@ std::vector<Encounter> EncounterWatch::Encounters() const {
   return all;
 }
 
+void EncounterWatch::FindDuties(size_t num_vessels) {
+  duties_.assign(num_vessels, {});
+  for (const auto& [pair, open] : open_) {
+    for (size_t i = 0; i < 2; ++i) {
+      const EncounterSide& side = open.encounter.sides[i];
+      if (side.vessel >= num_vessels) continue;
+      Duties& duties = duties_[side.vessel];
+      if (KeepsClear(side.role)) duties.keeps_clear = true;
+      if (open.sides[i].is_in_extremis) ++duties.num_in_extremis;
+    }
+  }
+}
+
 /// Returns false where the encounter is over.
 bool EncounterWatch::Update(double time_s, std::span<const VesselSample> vessels,
                             Open* open) const {
@@ -101,7 +109,11 @@ bool EncounterWatch::Update(double time_s, std::span<const VesselSample> vessels
   const RelativeGeometry geometry[2] = {GeometryOf(first.motion, second.motion),
                                         GeometryOf(second.motion, first.motion)};
   for (size_t i = 0; i < 2; ++i) {
-    UpdateSide(time_s, vessels[places[i]], geometry[i], keeps_clear_[places[i]],
+    const Duties& duties = duties_[places[i]];
+    const bool in_extremis_of_another =
+        duties.num_in_extremis > (open->sides[i].is_in_extremis ? 1 : 0);
+    UpdateSide(time_s, vessels[places[i]], geometry[i],
+               duties.keeps_clear || in_extremis_of_another,
                KeepsClear(encounter.sides[1 - i].role), &encounter.sides[i], &open->sides[i]);
   }
 
@@ -167,6 +179,7 @@ void EncounterWatch::UpdateSide(double time_s, const VesselSample& own,
     if (must_keep_clear && !side->excused_s) side->excused_s = time_s;
     const bool is_extreme = geometry.range_m <= kExtremisShare * options_.preferred_m &&
                             geometry.range_rate_mps < 0 && geometry.cpa_m < options_.acceptable_m;
+    now->is_in_extremis = is_extreme;
     if (is_extreme && !conduct.in_extremis_s) {
       conduct.in_extremis_s = time_s;
       now->extremis_course_change_deg = now->course_change_deg;

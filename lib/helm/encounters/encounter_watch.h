@@ -58,6 +58,7 @@ class EncounterWatch {
     double last_turning_s = 0;
     double last_alpha_deg = 0;  ///< (-180, 180].
     double last_range_m = 0;
+    bool is_in_extremis = false;            ///< At the last look.
     double extremis_course_change_deg = 0;  ///< When in extremis began.
     double extremis_speed_change_share = 0;
   };
@@ -68,6 +69,7 @@ class EncounterWatch {
     double opening_since_s = -1;                         ///< < 0: they close.
   };
 
+  void FindDuties(size_t num_vessels);
   bool Update(double time_s, std::span<const VesselSample> vessels, Open* open) const;
   void UpdateSide(double time_s, const VesselSample& own, const RelativeGeometry& geometry,
                   bool must_keep_clear, bool other_keeps_clear, EncounterSide* side,
@@ -88,7 +90,12 @@ class EncounterWatch {
   std::vector<Encounter> ended_;
   bool is_complete_ = true;
   std::vector<Place> places_;
-  std::vector<bool> keeps_clear_;  ///< Vessels that must keep clear of some other now.
+  /// What a vessel has to do now, in all its encounters.
+  struct Duties {
+    bool keeps_clear = false;  ///< Of some other, by its role.
+    int num_in_extremis = 0;   ///< Encounters in which it stands on, and must act by rule 17 (b).
+  };
+  std::vector<Duties> duties_;
 };
 
 }  // namespace shoal

@@ -181,6 +181,32 @@ TEST(EncounterWatch, ExcusesAVesselThatHasToKeepClearOfAThird) {
   }
 }
 
+TEST(EncounterWatch, ExcusesAVesselThatIsInExtremisTowardAThird) {
+  // The second stands on toward the first and toward the third, which comes 60 m behind; it turns
+  // to port when the first alone can no longer avoid it.
+  auto vessels = FromStarboard(0);
+  vessels.push_back(vessels[0]);
+  vessels[2].motion.position_m -= 60 * UnitVector(DegToRad(vessels[0].motion.heading_deg));
+  vessels[1].turns = {{.at_s = 60, .course_change_deg = -40}};
+  int num_toward_third = 0;
+  for (const Encounter& encounter : EncountersOf(vessels, 120)) {
+    if (encounter.sides[0].vessel != 1 && encounter.sides[1].vessel != 1) continue;
+    const int own = encounter.sides[0].vessel == 1 ? 0 : 1;
+    const EncounterSide& side = encounter.sides[own];
+    ASSERT_EQ(side.role, EncounterRole::kStandOn);
+    if (encounter.sides[1 - own].vessel == 0) {
+      EXPECT_TRUE(side.conduct.in_extremis_s);
+      EXPECT_FALSE(side.excused_s) << "its own extremis is no third vessel";
+      EXPECT_TRUE(side.conduct.turned_to_port_while_standing_on);
+    } else {
+      ++num_toward_third;
+      EXPECT_TRUE(side.excused_s);
+      EXPECT_FALSE(side.conduct.turned_to_port_while_standing_on);
+    }
+  }
+  EXPECT_EQ(num_toward_third, 1);
+}
+
 TEST(EncounterWatch, StaysOneEncounterWhileAVesselTurnsAwayAndComesBack) {
   auto vessels = FromStarboard(0);
   vessels[0].turns = {{.at_s = 35, .course_change_deg = 90},
