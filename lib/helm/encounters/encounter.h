@@ -75,7 +75,8 @@ struct EncounterSide {
   /// It crossed the other's course line ahead of the other, this far away; absent: it did not.
   std::optional<double> crossed_ahead_m;
   bool crossed_astern = false;
-  /// While it should have stood on, it had to keep clear of a third vessel from then on.
+  /// While it should have stood on, it had to keep clear of a third vessel, or was in extremis
+  /// toward one, from then on.
   std::optional<double> excused_s;
 };
 
