@@ -32,8 +32,10 @@ const ContactView* KnownContact(const ContactOptions& options, const BehaviorInp
 
 bool IsAboveOrBelow(const ContactOptions& options, const BehaviorInputs& inputs,
                     const ContactView& contact) {
+  const double apart_m = std::abs(inputs.own.depth_m - contact.depth_m);
+  const double may_have_come_m = kDiving_mps * std::max(0.0, contact.age_s);
   return options.vertical_separation > 0 &&
-         std::abs(inputs.own.depth_m - contact.depth_m) >= options.vertical_separation;
+         apart_m - may_have_come_m >= options.vertical_separation;
 }
 
 double RelevanceAt(double range_m, double inner_m, double outer_m, std::string_view grade) {

@@ -19,7 +19,12 @@ namespace shoal {
 [[nodiscard]] double RelevanceAt(double range_m, double inner_m, double outer_m,
                                  std::string_view grade);
 
-/// Returns true where the contact is too far above or below own ship to keep clear of.
+/// How fast a contact may rise or dive after its last report: of a Remus 100 that pitches by 20
+/// degrees.
+inline constexpr double kDiving_mps = 0.5;
+
+/// Returns true where the contact is too far above or below own ship to keep clear of, even if it
+/// has come nearer by kDiving_mps since its report.
 [[nodiscard]] bool IsAboveOrBelow(const ContactOptions& options, const BehaviorInputs& inputs,
                                   const ContactView& contact);
 

@@ -266,4 +266,16 @@ TEST(VerticalSeparation, LeavesContactsFarAboveOrBelowAlone) {
   }
 }
 
+TEST(VerticalSeparation, CountsHowFarAContactMayHaveComeSinceItsReport) {
+  TestMeeting meeting(kNorthbound, Southbound(0, 50));
+  meeting.contact().depth_m = 20;
+  for (const auto& [age_s, is_avoided] : {std::pair(20.0, false), {20.5, true}}) {
+    meeting.contact().age_s = age_s;
+    ColregsBehavior colregs({.contact = kBravo});
+    AvoidCollisionBehavior avoid({.contact = kBravo});
+    EXPECT_EQ(meeting.Run(colregs).objective.has_value(), is_avoided) << age_s;
+    EXPECT_EQ(meeting.Run(avoid).objective.has_value(), is_avoided) << age_s;
+  }
+}
+
 }  // namespace shoal::contact_behaviors_test
