@@ -135,7 +135,8 @@ class SlowStates {
     const double moments = kMaxLinkRows / std::max(static_cast<double>(rows), 1.0);
     link_step_s_ = std::max({step_s, kLeastLinkStep_s, end_s / std::max(moments, 1.0)});
     swarm_step_s_ = std::max(step_s, kLeastSwarmStep_s);
-    for (const Json& vehicle : Json::parse(view.SetupJson(false)).at("vehicles")) {
+    const Json setup = Json::parse(view.SetupJson(false));
+    for (const Json& vehicle : setup.at("vehicles")) {
       if (vehicle.value("in_swarm", false)) swarms_.push_back({vehicle.at("name"), {}});
     }
     medium_links_.resize(media_.size());
