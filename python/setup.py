@@ -4,16 +4,16 @@ import re
 import shutil
 from pathlib import Path
 
-from setuptools import setup
-from setuptools.command.build_py import build_py
+from setuptools import setup  # type: ignore[import]
+from setuptools.command.build_py import build_py  # type: ignore[import]
 
 ROOT = Path(__file__).resolve().parent.parent
 
 
-class BuildWithTypes(build_py):
+class BuildWithTypes(build_py):  # type: ignore[misc]
     """Installs lcmtypes/*.lcm with the package."""
 
-    def run(self):
+    def run(self) -> None:
         super().run()
         sources = sorted((ROOT / "lcmtypes").glob("*.lcm"))
         if not sources:
@@ -24,9 +24,11 @@ class BuildWithTypes(build_py):
             shutil.copy2(source, folder)
 
 
-def version():
+def version() -> str:
     text = (ROOT / "CMakeLists.txt").read_text()
-    return re.search(r"project\(shoal VERSION ([\d.]+)", text)[1]
+    found = re.search(r"project\(shoal VERSION ([\d.]+)", text)
+    assert found, "CMakeLists.txt has no version"
+    return found[1]
 
 
 setup(version=version(), cmdclass={"build_py": BuildWithTypes})

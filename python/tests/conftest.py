@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "python"))
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 
-from shoal import SimulationError, columns, simulation  # noqa: E402
+from shoal import SimulationError, columns, sim_library  # noqa: E402
 from shoal.lcm_file import Member  # noqa: E402
 from shoal.message import Message  # noqa: E402
 
@@ -100,7 +100,7 @@ def simulation_library(shoal_program: Path, monkeypatch: pytest.MonkeyPatch) -> 
         pytest.skip(f"{library} is not built")
     monkeypatch.setenv("SHOAL_SIM_LIBRARY", str(library))
     try:
-        simulation.sim_library()
+        sim_library.sim_library()
     except SimulationError as error:
         if "asan" in str(error) or "tsan" in str(error):
             pytest.skip("this machine cannot load a library with sanitizers into python3")

@@ -8,7 +8,7 @@ import time
 from pathlib import Path
 
 if "--without-numpy" in sys.argv:
-    sys.modules["numpy"] = None
+    sys.modules["numpy"] = None  # type: ignore[assignment]
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 import shoal  # noqa: E402
 

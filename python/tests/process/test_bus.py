@@ -86,8 +86,9 @@ def logged(path: Path, channel: str) -> list[shoal.Message]:
     """Returns the messages of a channel in a log that is being written."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        log = shoal.read(path) if path.exists() else []
-        return [each.message for each in log if each.channel == channel]
+        if not path.exists():
+            return []
+        return [each.message for each in shoal.read(path) if each.channel == channel]
 
 
 def test_what_liblcm_plays_back_is_received(bus: shoal.Bus, tmp_path: Path) -> None:
@@ -122,7 +123,7 @@ def mission(shoal_program: Path, tmp_path: Path) -> Iterator[subprocess.Popen[by
     """A mission in communities that runs, found by the folder of this test alone."""
     os.environ["SHOAL_RUN_DIR"] = str(tmp_path / "run")
     process = subprocess.Popen(
-        [shoal_program, "run", ROOT / "missions/fleet.toml", "--port", str(PORT + 10)]
+        [str(shoal_program), "run", str(ROOT / "missions/fleet.toml"), "--port", str(PORT + 10)]
         + ["--warp", "5"],
         stdout=subprocess.DEVNULL,
     )

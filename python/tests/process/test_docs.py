@@ -34,7 +34,7 @@ def test_the_examples_of_the_page_run_in_order(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     subprocess.run(
-        [shoal_program, "run", ROOT / "missions/berta.toml", "--warp", "max"]
+        [str(shoal_program), "run", str(ROOT / "missions/berta.toml"), "--warp", "max"]
         + ["--record", "runs/mine", "--port", str(PORT)],
         env={**os.environ, "SHOAL_RUN_DIR": str(tmp_path / "run")},
         check=True,
@@ -99,5 +99,6 @@ def test_missions_in_the_process_run_as_the_page_states(
     assert names["truncated"] is False
     environment_made = names["env"]
     assert isinstance(environment_made, ShoalEnv)
+    assert environment_made.sim is not None
     assert environment_made.sim.step_number > 10
     environment_made.close()

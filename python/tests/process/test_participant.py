@@ -68,8 +68,8 @@ class Runner:
         self._count += 1
         folder = self._folder / f"recording{self._count}"
         done = subprocess.run(
-            [self._program, "run", mission, "--warp", warp, "--record", folder]
-            + ["--port", str(PORT + 10 * self._count)],
+            [str(self._program), "run", str(mission), "--warp", warp]
+            + ["--record", str(folder), "--port", str(PORT + 10 * self._count)],
             env={**os.environ, "SHOAL_RUN_DIR": str(self._folder / "run")},
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,

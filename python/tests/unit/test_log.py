@@ -275,8 +275,8 @@ def test_vehicles_are_those_of_the_rules_else_of_nav(tmp_path: Path) -> None:
     vehicle = T.broker_vehicle_t
     now = T.broker_rules_t(vehicles=[vehicle(name="zulu"), vehicle(name="bravo")])
     later = T.broker_rules_t(vehicles=[vehicle(name="late")])
-    rules = event(9, 0, "COMMS_RULES", now.encode()) + event(9, 0, "COMMS_RULES", later.encode())
-    assert shoal.read(write(tmp_path, nav_log() + rules)).vehicles == ["zulu", "bravo"]
+    both = event(9, 0, "COMMS_RULES", now.encode()) + event(9, 0, "COMMS_RULES", later.encode())
+    assert shoal.read(write(tmp_path, nav_log() + both)).vehicles == ["zulu", "bravo"]
 
 
 @pytest.mark.parametrize("name", ["two_vessels_0.1", "two_media_0.2"])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 
@@ -14,8 +15,12 @@ PACKAGE = ROOT / "python/shoal"
 def test_all_of_it_is_typed() -> None:
     if subprocess.run([sys.executable, "-m", "mypy", "--version"], capture_output=True).returncode:
         pytest.skip("mypy is not installed; scripts/setup --with-tests installs it")
+    tests = ROOT / "python/tests"
     shown = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--cache-dir=/dev/null", PACKAGE],
+        [sys.executable, "-m", "mypy", "--strict", "--cache-dir=/dev/null"]
+        + ["--explicit-package-bases", PACKAGE, tests, ROOT / "python/setup.py"],
+        env={**os.environ, "MYPYPATH": f"{tests}:{tests / 'unit'}"},
+        cwd=ROOT / "python",
         stdout=subprocess.PIPE,
         text=True,
     )

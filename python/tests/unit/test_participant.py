@@ -1,4 +1,7 @@
-"""The step protocol as a participant follows it, over a bus that is none: docs/extending/step_protocol.md."""
+"""The step protocol as a participant follows it, over a fake bus.
+
+docs/extending/step_protocol.md has the protocol.
+"""
 
 from __future__ import annotations
 
@@ -75,7 +78,7 @@ def nav(step: int, x_m: float, sequence: int = 0, publisher: bytes = b"sim") -> 
     return SHORE, "NAV", data
 
 
-END = T.tick_t.END
+END: int = getattr(T.tick_t, "END")
 
 
 @pytest.fixture

@@ -57,7 +57,7 @@ def test_the_log_is_that_of_shoal_sim(shoal_program: Path, tmp_path: Path) -> No
         while sim.step(7):
             observer()
         assert sim.has_ended
-    command = [shoal_program, "sim", berta, "--log", tmp_path / "sim.lcm"]
+    command: list[str | Path] = [shoal_program, "sim", berta, "--log", tmp_path / "sim.lcm"]
     command += ["--set", "comms.comms_range=180", "--set", "mission.seed=7"]
     subprocess.run(command, stdout=subprocess.DEVNULL, check=False)
     log = (tmp_path / "sim.lcm").read_bytes()

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 import shoal
@@ -94,8 +95,9 @@ def test_a_member_that_is_a_keyword_of_python_ends_with_an_underscore() -> None:
 
 
 def test_constants_are_attributes_of_the_class() -> None:
-    assert (shoal.types.tick_t.RUN, shoal.types.tick_t.END) == (0, 1)
-    assert ALL_TYPES["shapes_t"].SCALE == -1.5e-3
+    tick: Any = shoal.types.tick_t
+    shapes: Any = ALL_TYPES["shapes_t"]
+    assert (tick.RUN, tick.END, shapes.SCALE) == (0, 1, -1.5e-3)
 
 
 def test_what_a_member_cannot_hold_is_refused_with_the_type() -> None:
