@@ -4,8 +4,8 @@
     log = shoal.read("mission.lcm")
     log["NAV_ALPHA"].x_m
 
-Pure standard library; columns are numpy's arrays where numpy is installed. docs/extending/python.md shows
-all of it.
+Pure standard library; columns are numpy's arrays where numpy is installed. docs/extending/python.md
+shows all of it.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import chain, repeat
-from typing import Any
+from typing import TYPE_CHECKING, Any, TypeAlias
 
 from .codec import Codec, Row, flat_format, is_bytes
 from .errors import DecodeError
@@ -15,6 +15,15 @@ try:
     import numpy as numpy  # Also columns.numpy, for others.
 except ImportError:  # Lists and arrays of the standard library serve then.
     numpy = None  # type: ignore[assignment]
+
+if TYPE_CHECKING:
+    import numpy.typing
+
+#: What a user is given: numpy's arrays, or where numpy is not installed arrays and lists, which have
+#: len(), [], and iteration in common with these.
+Floats: TypeAlias = "numpy.typing.NDArray[numpy.float64]"
+Integers: TypeAlias = "numpy.typing.NDArray[numpy.int64]"
+Vector: TypeAlias = "numpy.typing.NDArray[numpy.float32]"
 
 _TYPE_CODES = {
     "int8_t": "b",
@@ -45,11 +54,12 @@ def as_column(values: Any) -> Any:
     return made
 
 
-def seconds_of(utimes: Sequence[int]) -> Any:
+def seconds_of(utimes: Sequence[int]) -> Floats:
     """Returns microseconds as seconds."""
     if numpy is not None:
         return numpy.asarray(as_column(utimes), dtype=float) / 1e6
-    return array("d", [utime / 1e6 for utime in utimes])
+    seconds: Any = array("d", [utime / 1e6 for utime in utimes])
+    return seconds
 
 
 class Column:

@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from . import columns
+from .columns import Vector
 from .simulation import Simulation
 
 gymnasium: Any
@@ -37,7 +38,7 @@ ACTUATOR_LIMITS = {
 
 
 class Box:
-    """Numbers between bounds: stands in for gymnasium.spaces.Box."""
+    """Numbers between bounds, where gymnasium.spaces.Box is not installed."""
 
     def __init__(self, low: Sequence[float], high: Sequence[float]) -> None:
         self.low = list(low)
@@ -48,7 +49,7 @@ class Box:
     def seed(self, seed: int | None = None) -> None:
         self._draw = random.Random(seed)
 
-    def sample(self) -> Any:
+    def sample(self) -> Vector:
         """Returns numbers drawn evenly; normally where a bound is infinite."""
         return _numbers(
             [
@@ -71,16 +72,28 @@ class Box:
         return self.contains(value)
 
 
-def _numbers(values: Sequence[float]) -> Any:
+def _numbers(values: Sequence[float]) -> Vector:
     """Returns numpy's array of float32, or a list where numpy is not installed."""
     numpy: Any = getattr(columns, "numpy")  # As `columns` found it.
-    return list(values) if numpy is None else numpy.asarray(values, dtype=numpy.float32)
+    made: Any = list(values) if numpy is None else numpy.asarray(values, dtype=numpy.float32)
+    return made  # type: ignore[no-any-return]
 
 
 def _box(low: Sequence[float], high: Sequence[float]) -> Any:
     if gymnasium is None:
         return Box(low, high)
     return gymnasium.spaces.Box(_numbers(low), _numbers(high), dtype="float32")
+
+
+def box_of_actions(actuators: Sequence[str]) -> Any:
+    """Returns the space of these actuators of one or several vehicles: a Box."""
+    high = [ACTUATOR_LIMITS[each] for each in actuators]
+    return _box([-each for each in high], high)
+
+
+def box_of_observations(size: int) -> Any:
+    """Returns the space of `size` observations without bounds: a Box."""
+    return _box([-math.inf] * size, [math.inf] * size)
 
 
 _Base: Any = object if gymnasium is None else gymnasium.Env
@@ -146,7 +159,8 @@ class ShoalEnv(_Base):  # type: ignore[misc]
         self.sim: Simulation | None = None
         actions, observations = tuple(actions), tuple(observations)
         if unknown := [each for each in actions if each not in ACTUATOR_LIMITS]:
-            raise KeyError(f"'{unknown[0]}' is no actuator; there are {', '.join(ACTUATOR_LIMITS)}")
+            known = ", ".join(ACTUATOR_LIMITS)
+            raise KeyError(f"'{unknown[0]}' is not an actuator; these are: {known}")
         with self._open(None) as sim:
             self.vehicles = list(sim.vehicles if vehicles is None else vehicles)
             for name in self.vehicles:
@@ -156,10 +170,8 @@ class ShoalEnv(_Base):  # type: ignore[misc]
             self.names = [f"{name}.{each}" for name in self.vehicles for each in observations]
             sim.observer(self.names)  # Raises KeyError for a name that is not there.
         self._actuators = [f"{name}.{each}" for name in self.vehicles for each in actions]
-        high = [ACTUATOR_LIMITS[each] for _ in self.vehicles for each in actions]
-        self.action_space = _box([-each for each in high], high)
-        many = [math.inf] * len(self.names)
-        self.observation_space = _box([-math.inf] * len(many), many)
+        self.action_space = box_of_actions([each for _ in self.vehicles for each in actions])
+        self.observation_space = box_of_observations(len(self.names))
 
     def _refuse_helms(self, sim: Simulation) -> None:
         """A helm sets its vehicle's actuators in each step, and would undo every action."""
@@ -180,7 +192,7 @@ class ShoalEnv(_Base):  # type: ignore[misc]
 
     def reset(
         self, *, seed: int | None = None, options: Mapping[str, Any] | None = None
-    ) -> tuple[Any, dict[str, Any]]:
+    ) -> tuple[Vector, dict[str, Any]]:
         """Begins an episode.
 
         Args:
@@ -198,7 +210,7 @@ class ShoalEnv(_Base):  # type: ignore[misc]
         self.sim.step(2)  # What vehicles publish in the first step is read in the second.
         return self._observation(), self._info()
 
-    def step(self, action: Any) -> tuple[Any, float, bool, bool, dict[str, Any]]:
+    def step(self, action: Any) -> tuple[Vector, float, bool, bool, dict[str, Any]]:
         """Steers with this action for `steps` steps.
 
         Returns:
@@ -225,7 +237,7 @@ class ShoalEnv(_Base):  # type: ignore[misc]
             )
         return values
 
-    def _observation(self) -> Any:
+    def _observation(self) -> Vector:
         return _numbers(self._observe())
 
     def _info(self) -> dict[str, Any]:

@@ -155,11 +155,17 @@ class Log:
         return [name.removeprefix("NAV_") for name in self.channels if name.startswith("NAV_")]
 
     def fates(self) -> Table:
-        """Returns all fates of COMMS_FATES with their numbers (docs/reference/fates.md); maybe no rows."""
+        """Returns all fates of COMMS_FATES with their numbers; maybe no rows.
+
+        docs/reference/fates.md explains them.
+        """
         return self._table_in("COMMS_FATES", "fates", "shoal.comms_fates_t")
 
     def media(self) -> Table:
-        """Returns medium and hop of fates, from COMMS_MEDIA (docs/communication/media.md); maybe no rows."""
+        """Returns medium and hop of fates, from COMMS_MEDIA; maybe no rows.
+
+        docs/communication/media.md explains them.
+        """
         return self._table_in("COMMS_MEDIA", "media", "shoal.comms_media_t")
 
     def links(self) -> list[links.Link]:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import os
 import struct
+import weakref
 from array import array
 from collections.abc import Iterator
 from typing import Any
@@ -45,6 +46,7 @@ class FileWindow:
         try:
             # A pipe would be waited for.
             self._file = os.open(path, os.O_RDONLY | os.O_CLOEXEC | os.O_NONBLOCK)
+            self._closed = weakref.finalize(self, os.close, self._file)
             status = os.fstat(self._file)
         except OSError as error:
             raise LogError(path, 0, f"cannot be read: {error.strerror}") from None
@@ -60,10 +62,6 @@ class FileWindow:
             except FrameError as error:
                 raise LogError(path, 0, str(error)) from None
             self.size = self._frames.size
-
-    def __del__(self) -> None:
-        if hasattr(self, "_file"):
-            os.close(self._file)
 
     def at(self, offset: int, size: int) -> tuple[bytes, int]:
         """Returns bytes that hold [offset, offset + size), and where in them that begins.

@@ -1,4 +1,7 @@
-"""Which LCM port carries which channel of a mission: docs/inside/design.md, lib/bus/bus/layout.h."""
+"""Which LCM port carries which channel of a mission.
+
+docs/inside/design.md and lib/bus/bus/layout.h have the rules.
+"""
 
 from __future__ import annotations
 

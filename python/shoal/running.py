@@ -1,4 +1,7 @@
-"""Finds the missions that this user runs: a file each in the run folder (docs/inside/security.md)."""
+"""Finds the missions that this user runs: a file for each in the run folder.
+
+docs/inside/security.md describes the folder.
+"""
 
 from __future__ import annotations
 

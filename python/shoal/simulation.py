@@ -12,6 +12,7 @@ import ctypes
 import json
 import math
 import os
+import weakref
 from collections.abc import Callable, Iterable, Mapping
 from types import TracebackType
 from typing import Any
@@ -74,6 +75,7 @@ class Simulation:
             SimulationError: what is wrong with the mission file, one error per line.
         """
         self._handle: int | None = None
+        self._freed: weakref.finalize | None = None
         self._library = library = sim_library()
         self._types = types or own_types()
         self._data = ctypes.c_void_p()
@@ -84,6 +86,7 @@ class Simulation:
         self._handle = library.shoal_sim_new(os.fsencode(mission))
         if not self._handle:
             raise SimulationError("out of memory")
+        self._freed = weakref.finalize(self, library.shoal_sim_free, self._handle)
         try:
             if isinstance(overrides, Mapping):
                 overrides = [_override_text(key, value) for key, value in overrides.items()]
@@ -124,13 +127,10 @@ class Simulation:
     ) -> None:
         self.close()
 
-    def __del__(self) -> None:
-        self.close()
-
     def close(self) -> None:
         """Ends the mission, and closes its log. Without effect after the first time."""
-        if self._handle:
-            self._library.shoal_sim_free(self._handle)
+        if self._freed is not None:
+            self._freed()
         self._handle = None
 
     def _check(self, code: int) -> int:

@@ -11,10 +11,10 @@ from __future__ import annotations
 from array import array
 from collections.abc import Iterator, Sequence
 from itertools import accumulate, chain, repeat
-from typing import Any
+from typing import Any, overload
 
 from .codec import attribute_name
-from .columns import StructColumn, StructColumns, as_column, seconds_of
+from .columns import Floats, Integers, StructColumn, StructColumns, as_column, seconds_of
 
 
 class Row:
@@ -85,20 +85,27 @@ class Table:
         return self._rows.codec.struct.full_name
 
     @property
-    def time_s(self) -> Any:
+    def time_s(self) -> Floats:
         """The time of each row: of its message in the log; mission time in mission.lcm."""
         return seconds_of(self._utimes)
 
     @property
-    def event(self) -> Any:
+    def event(self) -> Integers:
         """For each row the number of its event in the log; in a table inside, of its outer row."""
-        return as_column(self._events)
+        events: Integers = as_column(self._events)
+        return events
 
     def __len__(self) -> int:
         return self._rows.num_rows
 
     def __iter__(self) -> Iterator[Row]:
         return (Row(self, i) for i in range(len(self)))
+
+    @overload
+    def __getitem__(self, which: int) -> Row: ...
+
+    @overload
+    def __getitem__(self, which: str) -> Any: ...
 
     def __getitem__(self, which: str | int) -> Any:
         """Returns a column by its name, or a row by its number."""

@@ -23,7 +23,7 @@ def _examples() -> list[str]:
 
 def _is_simulated(example: str) -> bool:
     """True for examples of missions in the process itself, which load libshoal_sim.so.0."""
-    return "shoal.Simulation(" in example or "ShoalEnv(" in example
+    return "shoal.Simulation(" in example or "Env(" in example
 
 
 def test_the_examples_of_the_page_run_in_order(
@@ -88,7 +88,7 @@ def test_missions_in_the_process_run_as_the_page_states(
     (tmp_path / "mission.toml").write_text(
         '[mission]\nduration_s = 10\n[[vehicle]]\nname = "alpha"\nhelm = "none"\n'
     )
-    simulation, environment = (each for each in _examples() if _is_simulated(each))
+    simulation, environment, parallel, vector = (each for each in _examples() if _is_simulated(each))
     names: dict[str, object] = {"shoal": shoal}
     exec(simulation, names)
     shown = capsys.readouterr().out.splitlines()
@@ -102,3 +102,7 @@ def test_missions_in_the_process_run_as_the_page_states(
     assert environment_made.sim is not None
     assert environment_made.sim.step_number > 10
     environment_made.close()
+    exec(parallel, names)
+    assert list(names["truncations"].values()) == [True]  # type: ignore[attr-defined]
+    exec(vector, names)
+    assert names["rewards"].shape == (4,)  # type: ignore[attr-defined]
