@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "lib/sea/acoustics/sound_speed.h"
+#include "lib/sea/ocean/sound_speed.h"
 
 namespace shoal {
 

@@ -15,7 +15,7 @@
 #include "lib/sea/acoustics/ambient_noise.h"
 #include "lib/sea/acoustics/modulation.h"
 #include "lib/sea/acoustics/modulation_code.h"
-#include "lib/sea/acoustics/sound_speed.h"
+#include "lib/sea/ocean/sound_speed.h"
 
 namespace shoal {
 

@@ -1,4 +1,4 @@
-#include "lib/sea/acoustics/sound_speed.h"
+#include "lib/sea/ocean/sound_speed.h"
 
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>

@@ -1,4 +1,4 @@
-#include "lib/sea/acoustics/sound_speed.h"
+#include "lib/sea/ocean/sound_speed.h"
 
 #include "lib/base/check/bounds.h"
 
