@@ -19,7 +19,7 @@ set(staging ${CMAKE_BINARY_DIR}/install)
 # The programs, each beside the others, which is where `shoal run` looks for them. On the PATH they
 # have names of their own: `helm` is the name of another program too. The tools, commands of `shoal`
 # that are programs of their own, are not on the PATH: `shoal` starts them.
-set(tools shoal_campaign shoal_encounters shoal_import shoal_log shoal_log_export shoal_play shoal_plot shoal_rebroker)
+set(tools shoal_campaign shoal_encounters shoal_import shoal_log shoal_log_export shoal_play shoal_plot shoal_rays shoal_rebroker)
 set(apps acomms gateway helm netsim_manager node_reporter recorder shore_broker vehicle_sim)
 set(examples acoustic_ping c_listener c_planner netsim_outsider netsim_raw_modem referee)
 install(TARGETS shoal viewer ${tools} ${apps} ${examples} RUNTIME DESTINATION ${programs_dir})

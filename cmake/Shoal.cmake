@@ -114,7 +114,7 @@ set(SHOAL_LIBRARY_OPTIONS -fno-semantic-interposition)
 set(SHOAL_BRIEF mission run/command_line run/hosts run/launch run/moos_text run/orders run/run
   tools/analysis tools/page tools/report tools/view apps/gateway apps/netsim_manager apps/recorder
   apps/shoal apps/shoal_campaign apps/shoal_encounters apps/shoal_import apps/shoal_log
-  apps/shoal_log_export apps/shoal_play apps/shoal_plot apps/shoal_rebroker apps/viewer sim)
+  apps/shoal_log_export apps/shoal_play apps/shoal_plot apps/shoal_rays apps/shoal_rebroker apps/viewer sim)
 foreach(brief IN LISTS SHOAL_BRIEF)
   if(NOT IS_DIRECTORY ${PROJECT_SOURCE_DIR}/lib/${brief} AND NOT IS_DIRECTORY
      ${PROJECT_SOURCE_DIR}/${brief})

@@ -121,10 +121,18 @@ class RebrokerCommand {
       const BrokerSetup of_file = SetupOf(*comms_->mission);
       setup_.factors = of_file.factors;
       setup_.media = of_file.media;
+      setup_.floor = of_file.floor;
+      setup_.arrivals = of_file.arrivals;
       setup_.nodes = of_file.nodes;
       if (!recorded_) setup_ = of_file;
     }
     setup_.tick_us = log_.tick_us;
+    for (const Acoustics* network : setup_.media.Networks()) {
+      const std::string missing = setup_.MissingOf(*network);
+      if (missing.empty()) continue;
+      return Fail(kExitUsage, fmt::format("{}: [acoustics] {}: --comms FILE.toml",
+                                          LogNames(options_.logs), missing));
+    }
     if (!setup_.media.acoustics.is_used) return kExitOk;
     for (const OptionProblem& problem :
          FindProblems(setup_.media.acoustics.options, setup_.nodes)) {

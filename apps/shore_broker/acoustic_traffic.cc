@@ -21,16 +21,20 @@ constexpr double kBetweenPackets_s = 1e-3;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Why the network cannot be; empty: it can.
-std::string ProblemOf(const Acoustics& acoustics, std::span<const AcousticNode> nodes) {
+std::string ProblemOf(const BrokerSetup& setup, const Acoustics& acoustics,
+                      std::span<const AcousticNode> nodes) {
+  const std::string missing = setup.MissingOf(acoustics);
+  if (!missing.empty()) return missing;
   const auto problems = FindProblems(acoustics.options, {nodes.begin(), nodes.end()});
   return problems.empty() ? "" : problems.front().option + ": " + problems.front().message;
 }
 
 /// Some options are impossible without nodes, so that where the mission's do not fit, these take
 /// their place too.
-AcousticNetwork NetworkOf(const Acoustics& acoustics, uint64_t seed,
+AcousticNetwork NetworkOf(const BrokerSetup& setup, const Acoustics& acoustics, uint64_t seed,
                           std::span<const AcousticNode> nodes, bool fits) {
-  return fits ? AcousticNetwork(acoustics.options, seed, {nodes.begin(), nodes.end()})
+  return fits ? AcousticNetwork(acoustics.options, seed, {nodes.begin(), nodes.end()},
+                                setup.SurroundingsOf(acoustics))
               : AcousticNetwork(AcousticOptions(), seed, {});
 }
 
@@ -45,21 +49,25 @@ AcousticTraffic::AcousticTraffic(const BrokerSetup& setup, const Acoustics& acou
       tick_us_(setup.tick_us),
       epoch_utime_(setup.start_utime),
       max_payload_bytes_(kMaxPayload_bytes),
-      problem_(ProblemOf(acoustics, nodes)),
-      network_(NetworkOf(acoustics, seed, nodes, problem_.empty())) {
+      problem_(ProblemOf(setup, acoustics, nodes)),
+      network_(NetworkOf(setup, acoustics, seed, nodes, problem_.empty())) {
   if (!problem_.empty()) nodes = {};
   for (const AcousticNode& node : nodes) {
     node_of_.emplace(VehicleKey(node.name), static_cast<int>(nodes_.size()));
-    nodes_.push_back({.name = node.name, .address = static_cast<uint32_t>(node.address)});
+    nodes_.push_back({.name = node.name,
+                      .address = static_cast<uint32_t>(node.address),
+                      .modem_depth_m = setup.media.ModemDepth_m(node.name)});
   }
   positions_m_.assign(nodes_.size(), Eigen::Vector3d::Constant(kNaN));
+  velocities_mps_.assign(nodes_.size(), Eigen::Vector3d::Zero());
   max_nodes_ = nodes_.size() + Router::kMaxUnregistered;
   if (const auto& modem = acoustics.options.modem) {
     max_payload_bytes_ = std::min(kMaxPayload_bytes, modem->max_packet_bytes);
   }
 }
 
-void AcousticTraffic::Place(std::string_view name, const Eigen::Vector3d& position_m) {
+void AcousticTraffic::Place(std::string_view name, const Eigen::Vector3d& position_m,
+                            const Eigen::Vector3d& velocity_mps) {
   std::optional<int> node = FindNode(name);
   if (!node) {
     if (!problem_.empty() || nodes_.size() >= max_nodes_) return;
@@ -74,8 +82,11 @@ void AcousticTraffic::Place(std::string_view name, const Eigen::Vector3d& positi
     node_of_.emplace(key, *node);
     nodes_.push_back({.name = std::string(name), .address = address});
     positions_m_.emplace_back();
+    velocities_mps_.emplace_back();
   }
-  positions_m_[static_cast<size_t>(*node)] = position_m;
+  const double hangs_m = nodes_[static_cast<size_t>(*node)].modem_depth_m;
+  positions_m_[static_cast<size_t>(*node)] = position_m + Eigen::Vector3d(0, 0, hangs_m);
+  velocities_mps_[static_cast<size_t>(*node)] = velocity_mps;
 }
 
 /// The broker receives in one step what was published in the step before. Live, steps are as short
@@ -168,7 +179,9 @@ void AcousticTraffic::Launch(double time_s, int source, Shipment shipment) {
   if (crc_) AppendLittleEndian(Crc32(shipment.payload), &frame);
   const int64_t number =
       network_.Transmit(time_s, source, positions_m_, frame, receivers,
-                        {.data_rate_bps = shipment.data_rate_bps, .channel = channel});
+                        {.data_rate_bps = shipment.data_rate_bps,
+                         .channel = channel,
+                         .velocities_mps = velocities_mps_});
   const AcousticOptions& options = network_.options();
   const double air_s = 8 * static_cast<double>(frame.size()) /
                        shipment.data_rate_bps.value_or(options.data_rate_bps);
@@ -261,6 +274,8 @@ Cause AcousticTraffic::CauseOf(const Reception& reception, const Shipment& shipm
       return Cause::kNotListening;
     case AcousticFate::kNoPath:
       return Cause::kNoPath;
+    case AcousticFate::kShadowZone:
+      return Cause::kShadowZone;
     case AcousticFate::kHalfDuplex:
       return Cause::kHalfDuplex;
     case AcousticFate::kCollided:

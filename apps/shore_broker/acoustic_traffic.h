@@ -54,9 +54,10 @@ class AcousticTraffic {
   /// The most that a packet holds.
   int64_t max_payload_bytes() const { return max_payload_bytes_; }
 
-  /// Sets the position of a vehicle. One that is not of the mission joins the network, if it has
-  /// room.
-  void Place(std::string_view name, const Eigen::Vector3d& position_m);
+  /// Sets where a vehicle is, below which its modem may hang, and how it moves over ground. One that is not of the mission joins
+  /// the network, if it has room.
+  void Place(std::string_view name, const Eigen::Vector3d& position_m,
+             const Eigen::Vector3d& velocity_mps = Eigen::Vector3d::Zero());
 
   /// Sends it, at the time of the step before `utime`. Returns the legs that it cannot go, with
   /// their causes: all, or those to vehicles without a channel.
@@ -100,7 +101,8 @@ class AcousticTraffic {
   struct Node {
     std::string name;
     uint32_t address = 0;
-    int num_packets = 0;  ///< In transit.
+    double modem_depth_m = 0;  ///< Its modem hangs so far below it.
+    int num_packets = 0;       ///< In transit.
     std::deque<Shipment> waiting = {};
     double free_s = -std::numeric_limits<double>::infinity();  ///< The next may be sent then.
   };
@@ -139,6 +141,7 @@ class AcousticTraffic {
   size_t max_nodes_ = 0;                             ///< Invented names must not fill the memory.
   std::map<std::string, int, std::less<>> node_of_;  ///< By key of the name.
   std::vector<Eigen::Vector3d> positions_m_;         ///< By node.
+  std::vector<Eigen::Vector3d> velocities_mps_;      ///< Likewise.
   std::unordered_map<PacketId, UnderWay, PacketHash> under_way_;
   std::optional<int64_t> delivered_utime_;  ///< Of the last Deliver.
   int64_t num_waiting_legs_ = 0;            ///< Of packets that wait, or were thrown away ...

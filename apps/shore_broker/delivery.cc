@@ -158,6 +158,7 @@ void Delivery::TakeArrivals(int64_t utime) {
 void Delivery::Flush(int64_t utime) {
   fates_.Flush(utime);
   media_.Flush(utime);
+  arrivals_.Flush(utime);
   pulses_.Flush(utime);
 }
 
@@ -216,6 +217,9 @@ void Delivery::Conclude(int64_t utime, const LegEnd& end, Cause cause) {
     fates_.Add(utime, concluded, shipment.source, destination);
   }
   if (traffic_.has_media()) media_.Add(utime, concluded, shipment, end);
+  if (end.reception != nullptr && end.reception->rays) {
+    arrivals_.Add(utime, concluded, shipment, end);
+  }
   if (!IsReceived(cause) || !shipment.has_pulses) return;
   pulses_.Add(utime,
               {.source = shipment.source,

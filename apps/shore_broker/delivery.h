@@ -10,7 +10,8 @@
 //
 // Publishes NODE_REPORT_<V>, NODE_MESSAGE_<V> and ACK_MESSAGE_<V> (the bytes that came in, unless
 // an acoustic network damaged them), ACOUSTIC_RX_<V>, ACOUSTIC_RX_ON_<V>, RELAY_RX_<V>,
-// COMMS_FATES, VIEW_COMMS_PULSE and, where vehicles have media of their own, COMMS_MEDIA.
+// COMMS_FATES, VIEW_COMMS_PULSE and, where vehicles have media of their own, COMMS_MEDIA, and where
+// sound bends, COMMS_ARRIVALS.
 #pragma once
 
 #include <Eigen/Core>
@@ -24,6 +25,7 @@
 #include <utility>
 #include <vector>
 
+#include "apps/shore_broker/arrival_writer.h"
 #include "apps/shore_broker/fate_writer.h"
 #include "apps/shore_broker/media_traffic.h"
 #include "apps/shore_broker/media_writer.h"
@@ -69,6 +71,7 @@ class Delivery {
         has_gateways_(!traffic->Gateways().empty()),
         fates_(bus, std::move(on_fates)),
         media_(bus),
+        arrivals_(bus),
         pulses_(bus) {}
 
   /// Delivers what is delivered, sends what is in transit, and writes the fates of all others.
@@ -114,6 +117,7 @@ class Delivery {
   ReceivedMemory received_;
   FateWriter fates_;
   MediaWriter media_;
+  ArrivalWriter arrivals_;
   PulseWriter pulses_;
   std::vector<ReceiverChannels> receiver_channels_;  ///< By index of contact.
   node_report_t report_;  ///< Decoded into, like the next two; keep their strings' memory.

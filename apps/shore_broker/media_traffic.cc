@@ -126,23 +126,24 @@ const RadioDraws& MediaTraffic::DrawsOf(size_t medium, Kind kind, Node* source,
 
 void MediaTraffic::Place(std::string_view name, const Eigen::Vector3d& position_m) {
   Node* node = FindOrAdd(name);
-  if (node != nullptr && !node->is_true) SetPosition(name, position_m, node);
+  if (node != nullptr && !node->is_true) SetPosition(name, position_m, Eigen::Vector3d::Zero(), node);
 }
 
-void MediaTraffic::PlaceTruth(std::string_view name, const Eigen::Vector3d& position_m) {
+void MediaTraffic::PlaceTruth(std::string_view name, const Eigen::Vector3d& position_m,
+                              const Eigen::Vector3d& velocity_mps) {
   Node* node = position_m.allFinite() ? FindOrAdd(name) : nullptr;
   if (node == nullptr) return;
   node->is_true = true;
-  SetPosition(name, position_m, node);
+  SetPosition(name, position_m, velocity_mps, node);
 }
 
 void MediaTraffic::SetPosition(std::string_view name, const Eigen::Vector3d& position_m,
-                               Node* node) {
+                               const Eigen::Vector3d& velocity_mps, Node* node) {
   node->position_m = position_m;
   for (size_t i = 0; i < media_.size(); ++i) {
     const Medium& medium = media_[i];
     if (medium.carrier != Carrier::kAcoustic || node->has[i] == 0) continue;
-    acoustics_[medium.acoustic]->Place(name, position_m);
+    acoustics_[medium.acoustic]->Place(name, position_m, velocity_mps);
   }
 }
 

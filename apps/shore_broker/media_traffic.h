@@ -43,7 +43,8 @@ class MediaTraffic {
   /// media.
   void Place(std::string_view name, const Eigen::Vector3d& position_m);
   /// Sets where it is in truth: its reports' positions are not asked for any more.
-  void PlaceTruth(std::string_view name, const Eigen::Vector3d& position_m);
+  void PlaceTruth(std::string_view name, const Eigen::Vector3d& position_m,
+                  const Eigen::Vector3d& velocity_mps = Eigen::Vector3d::Zero());
 
   /// Sends the shipment. Calls `take` for the legs that end at once: by direct, and those that no
   /// medium can carry.
@@ -106,7 +107,8 @@ class MediaTraffic {
   /// Returns the node of a leg's receiver, likewise.
   const Node& ReceiverOf(const ShipmentLeg& leg);
   const RadioDraws& DrawsOf(size_t medium, Kind kind, Node* source, const Node& receiver);
-  void SetPosition(std::string_view name, const Eigen::Vector3d& position_m, Node* node);
+  void SetPosition(std::string_view name, const Eigen::Vector3d& position_m,
+                   const Eigen::Vector3d& velocity_mps, Node* node);
   const std::vector<size_t>& Resolve(const MediaChoice& choice);
   Answer Ask(const Medium& medium, const Node& source, const Node& receiver) const;
   void SendOver(size_t medium, int64_t utime, std::string_view source,

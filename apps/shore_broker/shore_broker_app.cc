@@ -8,7 +8,9 @@
 #include "apps/shore_broker/apply_control.h"
 #include "apps/shore_broker/broker_page.h"
 #include "apps/shore_broker/message_checks.h"
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/check.h"
+#include "lib/base/geometry/angles.h"
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
 
@@ -28,10 +30,19 @@ bool IsInTransit(const std::vector<Decision>& decisions) {
                      [](const Decision& decision) { return decision.cause == Cause::kInTransit; });
 }
 
+/// Over ground; x East, y North, z down. Zero where NAV has no such number.
+Eigen::Vector3d VelocityOf(const nav_t& nav) {
+  const auto [east, north] = SinCos(DegToRad(nav.course_over_ground_deg));
+  const Eigen::Vector3d velocity_mps(nav.speed_over_ground_mps * east,
+                                     nav.speed_over_ground_mps * north, nav.descent_mps);
+  return velocity_mps.allFinite() ? velocity_mps : Eigen::Vector3d::Zero();
+}
+
 }  // namespace
 
 ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus, BrokerShare share)
     : setup_(std::move(setup)),
+      has_rays_(setup_.HasRays()),
       share_(std::move(share)),
       bus_(bus),
       inbox_(share_.has_rest ? BrokerInbox::Takes::kAll : BrokerInbox::Takes::kReports, bus, &log_),
@@ -48,9 +59,8 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus, BrokerShare share)
   }
   if (share_.has_rest && setup_.GoesByTruth()) {
     for (const std::string& name : setup_.vehicles) {
-      Subscribe(bus, channels::Nav(name), [this, name](const nav_t& nav) {
-        PlaceTruth(name, {nav.x_m, nav.y_m, nav.z_m});
-      });
+      Subscribe(bus, channels::Nav(name),
+                [this, name](const nav_t& nav) { PlaceTruth(name, nav); });
     }
   }
   for (const ControlRow& row : ControlTable()) {
@@ -62,9 +72,10 @@ ShoreBrokerApp::ShoreBrokerApp(BrokerSetup setup, Bus& bus, BrokerShare share)
                      [this](const Message& message) { KeepControls(message); });
 }
 
-void ShoreBrokerApp::PlaceTruth(const std::string& name, const Eigen::Vector3d& position_m) {
+void ShoreBrokerApp::PlaceTruth(const std::string& name, const nav_t& nav) {
+  const Eigen::Vector3d position_m(nav.x_m, nav.y_m, nav.z_m);
   if (!position_m.allFinite()) return;
-  traffic_.PlaceTruth(name, position_m);
+  traffic_.PlaceTruth(name, position_m, has_rays_ ? VelocityOf(nav) : Eigen::Vector3d::Zero());
   router_.PlaceTruth(name, position_m);
 }
 

@@ -65,7 +65,7 @@ class ShoreBrokerApp : public Broker {
     unc_control_t control;
   };
 
-  void PlaceTruth(const std::string& name, const Eigen::Vector3d& position_m);
+  void PlaceTruth(const std::string& name, const nav_t& nav);
   void Begin(int64_t utime);
   bool Holds(int64_t utime);
   void KeepControls(const Message& message);
@@ -87,6 +87,7 @@ class ShoreBrokerApp : public Broker {
   std::string_view MessageColor(const node_message_t& message);
 
   const BrokerSetup setup_;
+  const bool has_rays_;
   const BrokerShare share_;
   Bus& bus_;
   StatusLog log_;

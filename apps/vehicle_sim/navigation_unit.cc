@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <variant>
 
 #include "lib/base/check/check.h"
 #include "lib/base/geometry/angles.h"
 #include "lib/base/time/seconds.h"
 #include "lib/comms/routing/vehicle_name.h"
+#include "lib/mission/file/ray_surroundings.h"
 #include "lib/vehicle/navigation/assumed_motion.h"
 #include "lib/vehicle/vehicle/remus100.h"
 
@@ -44,6 +46,15 @@ std::vector<Beacon> BeaconsOf(const Mission& mission) {
                        .turnaround_s = options.turnaround_s});
   }
   return beacons;
+}
+
+/// Where sound bends, ranges are by the first arrival of their sound.
+TravelTimes TravelTimesOf(const Mission& mission) {
+  std::shared_ptr<RayChannel> channel = MakeRayChannel(mission);
+  if (channel == nullptr) return {};
+  return [channel](const Eigen::Vector3d& from_m, const Eigen::Vector3d& to_m) {
+    return channel->TravelTime(from_m, to_m);
+  };
 }
 
 /// Returns the beacons where all vehicles believe them to be.
@@ -88,7 +99,8 @@ NavigationUnit::NavigationUnit(const Mission& mission, const Vehicle& vehicle)
       beacons_(BeaconsOf(mission)),
       report_every_s_(vehicle.navigation.report_every_s),
       start_utime_(mission.start_utime),
-      instruments_(drawn_, beacons_, key_),
+      travel_times_(TravelTimesOf(mission)),
+      instruments_(drawn_, beacons_, key_, travel_times_),
       navigator_(assumed_, TuningOf(vehicle), StartKnowledgeOf(vehicle.navigation),
                  SurveyedBeacons(mission), key_) {
   takes_packets_ =
@@ -99,7 +111,7 @@ NavigationUnit::NavigationUnit(const Mission& mission, const Vehicle& vehicle)
 }
 
 void NavigationUnit::Start(const StartPose& pose) {
-  instruments_ = Instruments(drawn_, beacons_, key_);
+  instruments_ = Instruments(drawn_, beacons_, key_, travel_times_);
   navigator_.Start({pose.x_m, pose.y_m}, DegToRad(pose.heading_deg));
   packets_.clear();
   utime_.reset();

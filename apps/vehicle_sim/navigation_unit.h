@@ -49,6 +49,7 @@ class NavigationUnit {
   const double report_every_s_;
   const int64_t start_utime_;
   bool takes_packets_ = false;
+  TravelTimes travel_times_;
   Instruments instruments_;
   Navigator navigator_;
   std::vector<ReceivedPacket> packets_;  ///< Since the last step.

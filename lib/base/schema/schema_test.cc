@@ -29,6 +29,7 @@
 #include "shoal/comms_fate_columns_t.hpp"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/comms_media_t.hpp"
+#include "shoal/comms_arrivals_t.hpp"
 #include "shoal/comms_pulse_columns_t.hpp"
 #include "shoal/comms_pulse_t.hpp"
 #include "shoal/comms_pulses_t.hpp"
@@ -36,6 +37,7 @@
 #include "shoal/comms_rules_t.hpp"
 #include "shoal/desired_t.hpp"
 #include "shoal/fate_case_t.hpp"
+#include "shoal/fate_arrivals_t.hpp"
 #include "shoal/fate_medium_t.hpp"
 #include "shoal/fate_sender_t.hpp"
 #include "shoal/fate_t.hpp"
@@ -124,8 +126,8 @@ TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
       ack_message_t, acomms_event_t, acomms_member_t, acomms_t, acoustic_path_t, acoustic_rx_on_t,
       acoustic_rx_t, acoustic_tx_on_t, acoustic_tx_t, actuators_t, appcast_req_t, appcast_t,
       broker_rule_t, broker_rules_t, broker_vehicle_t, clock_command_t, clock_state_t,
-      comms_fate_columns_t, comms_fates_t, comms_media_t, comms_pulse_columns_t, comms_pulse_t,
-      comms_pulses_t, comms_rules_req_t, comms_rules_t, desired_t, fate_case_t, fate_medium_t,
+      comms_fate_columns_t, comms_fates_t, comms_arrivals_t, comms_media_t, comms_pulse_columns_t, comms_pulse_t,
+      comms_pulses_t, comms_rules_req_t, comms_rules_t, desired_t, fate_case_t, fate_arrivals_t, fate_medium_t,
       fate_sender_t, fate_t, guidance_layer_t, guidance_t, helm_aim_t, helm_command_t,
       helm_decision_t, helm_state_t, kept_control_t, key_value_t, link_factors_t, modem_stats_t,
       modem_tx_t, nav_t, navigation_range_t, navigation_t, node_message_t, node_report_t,

@@ -91,6 +91,7 @@ Channel<node_report_t> NodeReportUnc() { return {std::string(topics::kNodeReport
 Channel<comms_fates_t> CommsFates() { return {std::string(topics::kCommsFates)}; }
 Channel<comms_fate_columns_t> CommsFateColumns() { return {std::string(topics::kCommsFates)}; }
 Channel<comms_media_t> CommsMedia() { return {std::string(topics::kCommsMedia)}; }
+Channel<comms_arrivals_t> CommsArrivals() { return {std::string(topics::kCommsArrivals)}; }
 Channel<broker_rules_t> CommsRules() { return {std::string(topics::kCommsRules)}; }
 Channel<broker_rules_t> CommsRulesNow() { return {std::string(topics::kCommsRulesNow)}; }
 Channel<comms_pulses_t> ViewCommsPulse() { return {std::string(topics::kViewCommsPulse)}; }
@@ -190,6 +191,8 @@ std::vector<ChannelRow> MakeTable() {
        "netsim_manager, shoal, viewer", "steps with decisions", true},
       {topics::kCommsMedia, kShore, "comms_media_t", "shore_broker", "viewer, (shoal log comms)",
        "with [[medium]]: steps with decisions", true},
+      {topics::kCommsArrivals, kShore, "comms_arrivals_t", "shore_broker", "",
+       "where sound bends: steps with acoustic decisions", true},
       {topics::kCommsRules, kShore, "broker_rules_t", "shore_broker", "viewer, (shoal rebroker)",
        "at its start and when a rule changes", true},
       {topics::kViewCommsPulse, kShore, "comms_pulse_columns_t", "shore_broker", "viewer",

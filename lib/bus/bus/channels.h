@@ -26,6 +26,7 @@
 #include "shoal/broker_rules_t.hpp"
 #include "shoal/clock_command_t.hpp"
 #include "shoal/clock_state_t.hpp"
+#include "shoal/comms_arrivals_t.hpp"
 #include "shoal/comms_media_t.hpp"
 #include "shoal/comms_rules_req_t.hpp"
 #include "shoal/desired_t.hpp"
@@ -95,6 +96,7 @@ inline constexpr std::string_view kUncControlsReq = "UNC_CONTROLS_REQ";
 inline constexpr std::string_view kNodeReportUnc = "NODE_REPORT_UNC";
 inline constexpr std::string_view kCommsFates = "COMMS_FATES";
 inline constexpr std::string_view kCommsMedia = "COMMS_MEDIA";
+inline constexpr std::string_view kCommsArrivals = "COMMS_ARRIVALS";
 inline constexpr std::string_view kCommsRules = "COMMS_RULES";
 inline constexpr std::string_view kViewCommsPulse = "VIEW_COMMS_PULSE";
 inline constexpr std::string_view kViewPoint = "VIEW_POINT";
@@ -163,6 +165,7 @@ Channel<node_report_t> NodeReportUnc();
 Channel<comms_fates_t> CommsFates();               ///< To subscribe to: lib/bus/bus/fate_columns.h.
 Channel<comms_fate_columns_t> CommsFateColumns();  ///< The same, to publish.
 Channel<comms_media_t> CommsMedia();
+Channel<comms_arrivals_t> CommsArrivals();
 Channel<broker_rules_t> CommsRules();
 Channel<broker_rules_t> CommsRulesNow();
 Channel<comms_pulses_t> ViewCommsPulse();  ///< To subscribe to: lib/bus/bus/pulse_columns.h.

@@ -43,6 +43,7 @@ enum class Cause : uint8_t {
   kNoChannel,     ///< The band has no channel for one of the two.
   kNotListening,  ///< The receiver does not receive on the channel.
   kNoPath,        ///< Farther than sound can come.
+  kShadowZone,    ///< Sound bends away from the receiver.
   kHalfDuplex,    ///< The receiver was sending meanwhile.
   kCollision,     ///< Others overlapped it.
   kPacketLoss,
@@ -134,6 +135,9 @@ inline constexpr std::array kRows = {
     CauseRow{Cause::kNotListening, "not_listening", "Not Listening",
              "receiver not listening, channel {channel}", kSkyBlue, kNone, kAll},
     CauseRow{Cause::kNoPath, "no_path", "No Path", "farther than sound comes", kVermillion, kNone,
+             kAll},
+    CauseRow{Cause::kShadowZone, "shadow_zone", "Shadow Zone",
+             "shadow zone, probability of loss {loss_probability}, SNR {snr}", kVermillion, kNone,
              kAll},
     CauseRow{Cause::kHalfDuplex, "half_duplex", "Half Duplex",
              "receiver was sending, its own packet {own_packet}", kOrange, kNone, kAll},

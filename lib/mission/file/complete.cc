@@ -160,6 +160,29 @@ bool UsesAcoustics(const RoutingRules& rules) {
   return rules.reports_over.Has(kAcousticMedium) || rules.messages_over.Has(kAcousticMedium);
 }
 
+/// Of a channel that states no bottom, that is the sea floor of the mission.
+void FillInBottom(const FloorOptions& floor, const TablePlace& channel, AcousticOptions& options) {
+  if (!options.rays || channel.Has("bottom_depth_m") || channel.Has("follows_floor")) return;
+  if (!options.rays->arrivals_file.empty()) return;
+  if (floor.style == "none") {
+    channel.Refuse("", "rays need a bottom: write bottom_depth_m = 100, or give the mission a sea "
+                       "floor, [environment.floor]");
+  } else if (floor.style == "flat") {
+    options.rays->bottom_depth_m = std::max(floor.depth_m, 1.0);
+  } else {
+    options.rays->follows_floor = true;
+  }
+}
+
+void FillInBottoms(Mission& mission, const TablePlace& file) {
+  const FloorOptions& floor = mission.environment.floor;
+  FillInBottom(floor, file.Below("acoustics").Below("channel"), mission.acoustics.options);
+  for (size_t i = 0; i < mission.media.size(); ++i) {
+    FillInBottom(floor, file.Below("medium", i).Below("channel"),
+                 mission.media[i].acoustics.options);
+  }
+}
+
 /// A vehicle's place in the mission, without the address that all receive.
 void FillInAddresses(Mission& mission) {
   const int broadcast = mission.acoustics.options.broadcast_address;
@@ -200,6 +223,7 @@ void CompleteMission(Mission& mission, const TablePlace& file) {
   mission.acoustics.is_used = file.Has("acoustics") || UsesAcoustics(mission.comms);
   FillInTracks(mission, file);
   FillInMedia(mission, file);
+  FillInBottoms(mission, file);
   FillInAddresses(mission);
   FillInDomains(mission);
   FillInRadii(mission, file);

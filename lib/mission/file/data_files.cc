@@ -16,6 +16,14 @@ std::vector<std::string> DataFilesOf(const Mission& mission) {
   for (const Vehicle& vehicle : mission.vehicles) {
     if (const auto* track = std::get_if<TrackOptions>(&vehicle.model)) add(track->file);
   }
+  const auto add_sound = [&add](const Acoustics& acoustics) {
+    if (!acoustics.options.rays) return;
+    add(acoustics.options.rays->profile_file);
+    add(acoustics.options.rays->packet_errors_file);
+    add(acoustics.options.rays->arrivals_file);
+  };
+  add_sound(mission.acoustics);
+  for (const MediumOptions& medium : mission.media) add_sound(medium.acoustics);
   return files;
 }
 

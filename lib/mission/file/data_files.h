@@ -9,7 +9,8 @@
 namespace shoal {
 
 /// Returns their paths as the mission file has them, which count from its folder: the grids of
-/// floor and current, then the tracks in the order of the vehicles. Each once.
+/// floor and current, then the tracks in the order of the vehicles, then what channels of sound
+/// name. Each once.
 [[nodiscard]] std::vector<std::string> DataFilesOf(const Mission& mission);
 
 }  // namespace shoal

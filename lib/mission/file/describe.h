@@ -57,6 +57,13 @@ void DescribeControlValue(Fields& fields, std::string_view key, const ControlRow
 void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
               std::string_view default_modem = "");
 
+/// [acoustics.channel], or that of a medium. `wind_mps`: of the sea, unless the table has its own.
+void Describe(Fields& fields, std::optional<RayChannelOptions>& rays, double wind_mps,
+              const std::optional<std::string>& folder);
+
+/// [environment.floor].
+void Describe(Fields& fields, FloorOptions& floor);
+
 /// One [[vehicle]], or a template, whose name is empty. A model's own table is declared beside its
 /// parameters (remus100_model.h).
 void Describe(Fields& fields, Vehicle& vehicle);

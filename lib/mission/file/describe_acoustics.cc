@@ -115,6 +115,14 @@ void SetSoundSpeed(Fields& fields, AcousticOptions& options) {
   }
 }
 
+/// Where sound bends, what needs one speed for all takes the mean of the water column.
+void SetMeanSpeed(const Fields& fields, AcousticOptions& options) {
+  if (!fields.reading() || !options.rays) return;
+  const Result<SoundProfile> profile = SoundProfile::Make(options.rays->profile);
+  if (!profile.ok()) return;
+  options.sound_speed_mps = profile->MeanSpeed(0, options.rays->bottom_depth_m);
+}
+
 }  // namespace
 
 void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::string>& folder,
@@ -126,6 +134,12 @@ void Describe(Fields& fields, Acoustics& acoustics, const std::optional<std::str
   fields.Below("sea", [&](Fields& sea) { Describe(sea, options.sea); });
   if (fields.reading() && options.modem) SetDefaults(*options.modem, options);
   if (fields.reading() && (options.modem || has_sea)) SetSoundSpeed(fields, options);
+  if (fields.Has("channel", options.rays.has_value())) {
+    fields.Below("channel", [&](Fields& channel) {
+      Describe(channel, options.rays, options.sea.noise.wind_mps, folder);
+    });
+    SetMeanSpeed(fields, options);
+  }
   fields.Flag("crc", acoustics.crc);
   fields.Flag("queue", acoustics.queue);
   fields.Integer("queue_length", acoustics.queue_length, 1, 10'000);

@@ -118,6 +118,19 @@ void DescribeCurrent(Fields& fields, Environment& environment) {
   DescribeWords(fields, environment.current);
 }
 
+void Describe(Fields& fields, PlumeOptions& plume) {
+  plume.exists = true;
+  fields.Triple("source", plume.source_m, Between(-kFarthest_m, kFarthest_m));
+  fields.Number("rate_gps", plume.rate_gps, Between(0, 1e9));
+  fields.Number("current_mps", plume.current_mps, Between(0, kFastest_mps));
+  fields.Number("direction_deg", plume.direction_deg, Between(-360, 360));
+  if (plume.source_m.z() < 0 || plume.source_m.z() > 20'000) {
+    fields.Refuse("source", "source is [x, y, depth], with a depth from 0 to 20000 m");
+  }
+}
+
+}  // namespace
+
 void Describe(Fields& fields, FloorOptions& floor) {
   constexpr std::array<std::string_view, 6> kStyles = {"none",    "flat",  "linear",
                                                        "sigmoid", "shelf", "grid"};
@@ -146,19 +159,6 @@ void Describe(Fields& fields, FloorOptions& floor) {
                   "style = \"grid\" needs grid = \"bay.asc\", an ESRI ASCII file, or \"bay.nc\"");
   }
 }
-
-void Describe(Fields& fields, PlumeOptions& plume) {
-  plume.exists = true;
-  fields.Triple("source", plume.source_m, Between(-kFarthest_m, kFarthest_m));
-  fields.Number("rate_gps", plume.rate_gps, Between(0, 1e9));
-  fields.Number("current_mps", plume.current_mps, Between(0, kFastest_mps));
-  fields.Number("direction_deg", plume.direction_deg, Between(-360, 360));
-  if (plume.source_m.z() < 0 || plume.source_m.z() > 20'000) {
-    fields.Refuse("source", "source is [x, y, depth], with a depth from 0 to 20000 m");
-  }
-}
-
-}  // namespace
 
 void Describe(Fields& fields, Environment& environment) {
   constexpr std::array<std::pair<std::string_view, ContactRule>, 2> kContactRules = {{

@@ -201,6 +201,7 @@ void Describe(Fields& fields, Vehicle& vehicle) {
     fields.SmallInteger("acoustic_address", vehicle.acoustic_address, 1, kLargestAddress);
   }
   fields.Flag("acoustic_leader", vehicle.acoustic_leader);
+  fields.Number("modem_depth_m", vehicle.modem_depth_m, Between(0, 1000));
   Describe(fields, vehicle.media);
   fields.Inline("start", [&](Fields& table) { Describe(table, vehicle.start); });
   DescribeProviders(fields, is_passive, vehicle);

@@ -26,15 +26,32 @@ void DescribeAlone(Fields& file, MediaSetup& setup) {
     fields.Text("vehicle", packets.vehicle, {.min_length = 1});
     DescribeMedia(fields, "over", packets.over);
   });
+  file.List("modem", setup.hanging_modems, [](Fields& fields, MediaSetup::HangingModem& modem) {
+    fields.Require("vehicle", "vehicle = \"alpha\"");
+    fields.Text("vehicle", modem.vehicle, {.min_length = 1});
+    fields.Number("depth_m", modem.depth_m, Between(0, 1000));
+  });
   file.Require("acoustics", "[acoustics], followed by crc = true");
   file.Below("acoustics", [&](Fields& fields) { Describe(fields, acoustics, std::nullopt); });
   file.List("medium", setup.media,
             [](Fields& fields, MediumOptions& medium) { Describe(fields, medium, std::nullopt); });
+  if (file.Has("floor", setup.floor.has_value())) {
+    if (!setup.floor) setup.floor.emplace();
+    file.Below("floor", [&](Fields& fields) { Describe(fields, *setup.floor); });
+  }
   file.List("vehicle", setup.of_vehicles,
             [](Fields& fields, VehicleMedia& media) { Describe(fields, media); });
 }
 
 }  // namespace
+
+std::vector<const Acoustics*> MediaSetup::Networks() const {
+  std::vector<const Acoustics*> networks = {&acoustics};
+  for (const MediumOptions& medium : media) {
+    if (medium.kind == MediumKind::kAcoustic) networks.push_back(&medium.acoustics);
+  }
+  return networks;
+}
 
 std::vector<std::string> MediaSetup::Names() const {
   std::vector<std::string> names = {std::string(kDirectMedium), std::string(kAcousticMedium)};
@@ -49,6 +66,13 @@ const MediaChoice& MediaSetup::PacketsOver(std::string_view vehicle) const {
   return found == packets_of.end() ? packets_over : found->over;
 }
 
+double MediaSetup::ModemDepth_m(std::string_view vehicle) const {
+  const auto found = std::ranges::find_if(hanging_modems, [&](const HangingModem& each) {
+    return VehicleKey(each.vehicle) == VehicleKey(vehicle);
+  });
+  return found == hanging_modems.end() ? 0 : found->depth_m;
+}
+
 MediaSetup MediaOf(const Mission& mission) {
   MediaSetup setup = {.acoustics = mission.acoustics,
                       .media = mission.media,
@@ -60,6 +84,14 @@ MediaSetup MediaOf(const Mission& mission) {
     for (const std::string& name : swarm.followers) {
       setup.packets_of.push_back({.vehicle = name, .over = swarm.over});
     }
+  }
+  for (const Vehicle& vehicle : mission.vehicles) {
+    if (vehicle.modem_depth_m <= 0) continue;
+    setup.hanging_modems.push_back({.vehicle = vehicle.name, .depth_m = vehicle.modem_depth_m});
+  }
+  for (const Acoustics* network : setup.Networks()) {
+    const std::optional<RayChannelOptions>& rays = network->options.rays;
+    if (rays && rays->follows_floor) setup.floor = mission.environment.floor;
   }
   if (!mission.HasMedia()) return setup;
   for (const Vehicle& vehicle : mission.vehicles) setup.of_vehicles.push_back(vehicle.media);

@@ -5,6 +5,7 @@
 //   if (!loaded.errors.empty()) ...
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,18 +24,32 @@ struct MediaSetup {
 
     bool operator==(const PacketsOf&) const = default;
   };
+  /// A vehicle whose acoustic modem hangs below it.
+  struct HangingModem {
+    std::string vehicle;
+    double depth_m = 0;  ///< Below the vehicle; > 0.
+
+    bool operator==(const HangingModem&) const = default;
+  };
 
   Acoustics acoustics = {};               ///< The medium acoustic.
   std::vector<MediumOptions> media = {};  ///< [[medium]].
   MediaChoice packets_over = {.names = {std::string(kAcousticMedium)}};
   std::vector<PacketsOf> packets_of = {};
+  std::vector<HangingModem> hanging_modems = {};
   /// In the mission's order; empty: all vehicles have all media, and there is no gateway.
   std::vector<VehicleMedia> of_vehicles = {};
+  /// The sea floor, where a channel of sound follows it.
+  std::optional<FloorOptions> floor = {};
 
   bool operator==(const MediaSetup&) const = default;
 
+  /// Returns the acoustic networks, that of [acoustics] first.
+  std::vector<const Acoustics*> Networks() const;
   /// The names of all media, the built-in ones first.
   std::vector<std::string> Names() const;
+  /// Returns how far below a vehicle its acoustic modem hangs.
+  double ModemDepth_m(std::string_view vehicle) const;
   /// Returns what carries the packets of a vehicle.
   const MediaChoice& PacketsOver(std::string_view vehicle) const;
 };

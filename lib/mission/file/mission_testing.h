@@ -76,6 +76,7 @@ class MissionDraw {
     for (Vehicle& vehicle : mission.vehicles) {
       vehicle.acoustic_address = first_address + static_cast<int>(&vehicle - &mission.vehicles[0]);
       vehicle.acoustic_leader = Coin();
+      if (Coin()) vehicle.modem_depth_m = Number(0, 1000);
     }
     mission.vehicles[0].acoustic_leader = true;
     if (mission.acoustics.is_used) DrawSwarm(&mission);

@@ -66,6 +66,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateNames(mission, file);
   ValidateEnvironment(mission, file);
   ValidateAcoustics(mission, file);
+  ValidateChannels(mission, file);
   ValidateAcousticReports(mission, file);
   ValidateMedia(mission, file);
   ValidateSwarm(mission, file);

@@ -64,6 +64,8 @@ void ValidateNames(const Mission& mission, const TablePlace& file);
 void ValidateEnvironment(const Mission& mission, const TablePlace& file);
 /// The acoustic network, its addresses, and what [comms] sends over it.
 void ValidateAcoustics(const Mission& mission, const TablePlace& file);
+/// Channels of sound with rays.
+void ValidateChannels(const Mission& mission, const TablePlace& file);
 /// Reports that the modem's packets cannot hold; warns of vehicles whose own reports overlap, and
 /// of those that report in step with each other and so are not received.
 void ValidateAcousticReports(const Mission& mission, const TablePlace& file);

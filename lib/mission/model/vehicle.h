@@ -173,6 +173,7 @@ struct Vehicle {
   VehicleMedia media;                      ///< `media`, `antenna_height_m`, `[vehicle.gateway]`
   int acoustic_address = 0;                ///< In the acoustic network; always > 0 once loaded.
   bool acoustic_leader = false;            ///< tdma_lf: it leads.
+  double modem_depth_m = 0;                ///< Its acoustic modem hangs so far below it; >= 0.
   RecoveryPlan recovery;                   ///< Of messages of the swarm.
   std::vector<Task> tasks;                 ///< Done in this order after `deploy`; then the ending.
   ReturnTask return_task;                  ///< What `return` does. Default: the start position.

@@ -10,8 +10,66 @@
 #include "lib/base/arithmetic/arithmetic_id.h"
 #include "lib/comms/routing/control.h"
 #include "lib/comms/routing/vehicle_name.h"
+#include "lib/mission/file/ocean_of.h"
+#include "lib/mission/file/ray_surroundings.h"
 
 namespace shoal {
+
+bool BrokerSetup::HasRays() const {
+  return std::ranges::any_of(media.Networks(), [](const Acoustics* network) {
+    return network->options.rays.has_value();
+  });
+}
+
+RaySurroundings BrokerSetup::SurroundingsOf(const Acoustics& acoustics) const {
+  RaySurroundings surroundings;
+  const std::optional<RayChannelOptions>& rays = acoustics.options.rays;
+  if (!rays) return surroundings;
+  if (rays->follows_floor) surroundings.floor = floor;
+  const auto found = this->arrivals.find(rays->arrivals_file);
+  if (found != this->arrivals.end()) surroundings.arrivals = found->second;
+  return surroundings;
+}
+
+std::string BrokerSetup::MissingOf(const Acoustics& acoustics) const {
+  const std::optional<RayChannelOptions>& rays = acoustics.options.rays;
+  if (!rays) return "";
+  if (rays->follows_floor && !floor) {
+    return "channel: the sea floor that it follows is a grid in a file, and cannot be read here; "
+           "give the mission file";
+  }
+  if (!rays->arrivals_file.empty() && !arrivals.contains(rays->arrivals_file)) {
+    return fmt::format("channel: the arrivals of {} cannot be read here; give the mission file",
+                       rays->arrivals_file);
+  }
+  return "";
+}
+
+namespace {
+
+/// Reads what channels of sound name. A mission that loaded has all of it, unless a file has gone
+/// since: MissingOf() then has the reason.
+void ReadSurroundings(const Mission& mission, BrokerSetup* setup) {
+  for (const Acoustics* network : setup->media.Networks()) {
+    const std::optional<RayChannelOptions>& rays = network->options.rays;
+    if (!rays) continue;
+    const Result<RaySurroundings> read = SurroundingsOf(mission, *rays);
+    if (!read.ok()) continue;
+    if (read->floor) setup->floor = read->floor;
+    if (read->arrivals != nullptr) setup->arrivals[rays->arrivals_file] = read->arrivals;
+  }
+}
+
+/// Makes the sea floor that a log describes; a grid is in a file that a log does not have.
+void MakeFloor(BrokerSetup* setup) {
+  if (!setup->media.floor || setup->media.floor->style == "grid") return;
+  Environment environment;
+  environment.floor = *setup->media.floor;
+  const Result<Ocean> ocean = OceanOf(environment, setup->seed, {});
+  if (ocean.ok()) setup->floor = ocean->floor;
+}
+
+}  // namespace
 
 BrokerSetup SetupOf(const Mission& mission) {
   BrokerSetup setup{
@@ -32,6 +90,7 @@ BrokerSetup SetupOf(const Mission& mission) {
     if (vehicle.link_factors == LinkFactors()) continue;
     setup.factors.emplace_back(vehicle.name, vehicle.link_factors);
   }
+  ReadSurroundings(mission, &setup);
   return setup;
 }
 
@@ -100,6 +159,7 @@ Result<BrokerSetup> SetupOf(const BrokerRules& rules) {
   }
   setup.factors = rules.factors;
   if (const auto error = TakeMedia(rules, &setup)) return *error;
+  MakeFloor(&setup);
   return setup;
 }
 

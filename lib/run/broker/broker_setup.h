@@ -2,6 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +17,7 @@
 #include "lib/mission/model/mission.h"
 #include "lib/run/broker/broker_rules.h"
 #include "lib/sea/acoustics/channel_plan.h"
+#include "lib/sea/acoustics/ray_channel.h"
 
 namespace shoal {
 
@@ -27,9 +31,19 @@ struct BrokerSetup {
   MediaSetup media = {};
   std::vector<AcousticNode> nodes = {};  ///< The vehicles, in the same order.
   GeoPoint origin = {};                  ///< Of the mission's plane.
+  /// What channels of sound name and do not hold, as far as it could be read: the sea floor, and
+  /// tables of arrivals by their file.
+  std::optional<SeaFloor> floor = {};
+  std::map<std::string, std::shared_ptr<const ArrivalTable>> arrivals = {};
 
   /// True where media decide by where vehicles are in truth: NAV_V of the mission's vehicles.
   bool GoesByTruth() const { return media.acoustics.is_used || !media.of_vehicles.empty(); }
+  /// True where sound bends in a network, and the motion of vehicles matters.
+  bool HasRays() const;
+  /// Returns what a network's channel names.
+  RaySurroundings SurroundingsOf(const Acoustics& acoustics) const;
+  /// Returns why a network's channel lacks what it names; empty: it lacks nothing.
+  std::string MissingOf(const Acoustics& acoustics) const;
 };
 
 /// Returns the setup of a mission file.

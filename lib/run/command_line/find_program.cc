@@ -28,7 +28,8 @@ constexpr std::string_view kOwnPrograms[] = {
     "acomms",         "acoustic_ping",    "c_planner",    "gateway",      "helm",
     "netsim_manager", "node_reporter",    "recorder",     "referee",      "shoal",
     "shoal-campaign", "shoal-encounters", "shoal-import", "shoal-log",    "shoal-log-export",
-    "shoal-plot",     "shoal-rebroker",   "shoal-viewer", "shore_broker", "vehicle_sim"};
+    "shoal-plot",     "shoal-rays",       "shoal-rebroker", "shoal-viewer", "shore_broker",
+    "vehicle_sim"};
 
 bool IsOwn(std::string_view program) {
   return std::find(std::begin(kOwnPrograms), std::end(kOwnPrograms), program) !=

@@ -31,6 +31,7 @@ constexpr ToolCommand kToolCommands[] = {
     {"", "play", "shoal-play", "Publish a recording on LCM, as if its mission ran"},
     {"", "import", "shoal-import", "Make a mission of MOOS-IvP mission files (.moos, .bhv)"},
     {"", "plot", "shoal-plot", "Draw a log's tracks and curves (gnuplot)"},
+    {"", "rays", "shoal-rays", "List and draw the paths of sound between two places"},
     {"", "rebroker", "shoal-rebroker", "Route the recorded reports again, by other rules"},
     {"", "encounters", "shoal-encounters", "Write mission files of encounters, or run many"},
     {"", "campaign", "shoal-campaign", "Run a mission many times, and answer questions about it"},

@@ -22,13 +22,15 @@ ChannelPlan PlanOrDie(const AcousticOptions& options, std::span<const AcousticNo
 }  // namespace
 
 AcousticNetwork::AcousticNetwork(const AcousticOptions& options, uint64_t seed,
-                                 std::span<const AcousticNode> nodes)
+                                 std::span<const AcousticNode> nodes,
+                                 const RaySurroundings& surroundings)
     : options_(options),
       plan_(PlanOrDie(options, nodes)),
       path_(options),
       seed_(seed),
       now_s_(-std::numeric_limits<double>::infinity()) {
   SHOAL_CHECK(nodes.size() <= kMaxAcousticNodes, "at most kMaxAcousticNodes nodes");
+  if (options.rays) rays_.emplace(*options.rays, surroundings, path_.band());
   for (const AcousticNode& node : nodes) {
     SHOAL_CHECK(names_.insert(node.name).second, "node names are unique");
     nodes_.emplace_back(node.name, seed_);
@@ -55,6 +57,8 @@ int64_t AcousticNetwork::Transmit(double time_s, int source,
               "time_s is finite and not before an earlier call");
   SHOAL_CHECK(source >= 0 && source < num_nodes(), "source is the index of a node");
   SHOAL_CHECK(positions_m.size() == nodes_.size(), "each node has a position");
+  SHOAL_CHECK(options.velocities_mps.empty() || options.velocities_mps.size() == nodes_.size(),
+              "each node has a velocity, or none");
   const std::optional<double> data_rate_bps = options.data_rate_bps;
   SHOAL_CHECK(!data_rate_bps || *data_rate_bps > 0, "data_rate_bps > 0");
   const int channel = options.channel.value_or(plan_.SendsOn(source));
@@ -86,14 +90,15 @@ int64_t AcousticNetwork::Transmit(double time_s, int source,
     if (receiver == source || *last_offered == transmission.turn) continue;
     *last_offered = transmission.turn;
     ++transmission.num_users;
-    Offer(transmission, index, receiver, positions_m);
+    Offer(transmission, index, receiver, positions_m, options.velocities_mps);
   }
   transmissions_.Release(index);
   return transmission.packet.number;
 }
 
 void AcousticNetwork::Offer(const AcousticTransmission& transmission, int32_t index, int receiver,
-                            std::span<const Eigen::Vector3d> positions_m) {
+                            std::span<const Eigen::Vector3d> positions_m,
+                            std::span<const Eigen::Vector3d> velocities_mps) {
   const int32_t slot = receptions_.Take();
   Pending& pending = receptions_[slot];
   pending = {};
@@ -101,20 +106,22 @@ void AcousticNetwork::Offer(const AcousticTransmission& transmission, int32_t in
   pending.receiver = receiver;
   pending.transmission = index;
   ++statistics_.num_offered;
-  const double range_m = (positions_m[static_cast<size_t>(receiver)] -
-                          positions_m[static_cast<size_t>(transmission.packet.source)])
-                             .norm();
+  const auto end_of = [&](int node) {
+    const auto place = static_cast<size_t>(node);
+    return RayEnd{.position_m = positions_m[place],
+                  .velocity_mps = velocities_mps.empty() ? Eigen::Vector3d(Eigen::Vector3d::Zero())
+                                                         : velocities_mps[place]};
+  };
+  const RayEnd from = end_of(transmission.packet.source);
+  const RayEnd to = end_of(receiver);
+  const double range_m = (to.position_m - from.position_m).norm();
   if (!plan_.ReceivesOn(receiver, transmission.channel)) {
     pending.fate = AcousticFate::kNotListening;
   } else if (!(range_m <= kMaxRange_m)) {
     pending.fate = AcousticFate::kNoPath;
   } else {
     pending.range_m = range_m;
-    pending.path =
-        path_.Draw(range_m, plan_.channel(transmission.channel).freq_khz, transmission.bytes.size(),
-                   KeyOf(transmission, receiver), transmission.data_rate_bps);
-    pending.start_s =
-        transmission.sent_s + (range_m / options_.sound_speed_mps + pending.path.jitter_s);
+    FindPath(transmission, from, to, &pending);
   }
   // Whole durations are added to the start, so that nothing arrives before it was sent.
   pending.end_s = pending.start_s + transmission.air_s;
@@ -124,6 +131,24 @@ void AcousticNetwork::Offer(const AcousticTransmission& transmission, int32_t in
                                   transmission.turn, receiver, slot)
                       : MakeEvent(AcousticEventKind::kReceptionEnds, pending.end_s,
                                   transmission.turn, receiver, slot));
+}
+
+void AcousticNetwork::FindPath(const AcousticTransmission& transmission, const RayEnd& from,
+                               const RayEnd& to, Pending* pending) {
+  pending->travel_s = pending->range_m / options_.sound_speed_mps;
+  if (rays_) {
+    pending->rays = rays_->Receive(from, to);
+    if (pending->rays->num_arrivals == 0) {
+      pending->fate = AcousticFate::kShadowZone;
+      pending->start_s = transmission.sent_s + std::exchange(pending->travel_s, -1);
+      return;
+    }
+    pending->travel_s = pending->rays->travel_s;
+  }
+  pending->path = path_.Draw(pending->range_m, plan_.channel(transmission.channel).freq_khz,
+                             transmission.bytes.size(), KeyOf(transmission, pending->receiver),
+                             transmission.data_rate_bps, pending->rays ? &*pending->rays : nullptr);
+  pending->start_s = transmission.sent_s + (pending->travel_s + pending->path.jitter_s);
 }
 
 std::span<const Reception> AcousticNetwork::Deliver(double until_s) {
@@ -208,7 +233,8 @@ void AcousticNetwork::EndReception(int32_t slot) {
   reception.snr_db = pending.path.snr_db;
   reception.loss_probability = pending.path.loss_probability;
   reception.bit_error_probability = pending.path.bit_error_probability;
-  if (pending.range_m >= 0) reception.travel_s = pending.range_m / options_.sound_speed_mps;
+  reception.travel_s = pending.travel_s;
+  reception.rays = pending.rays;
   if (pending.lane >= 0) {
     reception.num_colliders = lanes_[pending.lane].NumOverlapping(pending.ticket);
     if (reception.num_colliders > 0) {
@@ -231,6 +257,7 @@ AcousticFate AcousticNetwork::Decide(const Pending& pending, Reception* receptio
   if (reception->own_number >= 0) return AcousticFate::kHalfDuplex;
   const bool has_collided = reception->num_colliders > 0;
   if (has_collided && options_.collisions == CollisionModel::kDrop) return AcousticFate::kCollided;
+  if (pending.path.is_in_shadow) return AcousticFate::kShadowZone;
   if (pending.path.is_lost) return AcousticFate::kLost;
   return HandOver(pending, reception);
 }

@@ -6,7 +6,8 @@
 //   for (const Reception& reception : network.Deliver(time_s)) ...   // in order of arrival
 //
 // A packet leaves its source at `time_s`, takes `8 bytes / data_rate_bps` to be sent and, to each
-// receiver, `range / sound_speed_mps` to get there, with the positions of that moment, plus jitter.
+// receiver, `range / sound_speed_mps` to get there, with the positions of that moment, plus jitter;
+// where sound bends, as long as its rays take (ray_channel.h).
 // What overlaps at a receiver on one channel collides, whether or not it is lost otherwise. With
 // `half_duplex`, what overlaps a transmission of the receiver's own is not received.
 //
@@ -46,6 +47,9 @@ struct PacketOptions {
   /// An index of the plan's channels; absent: the source's own. Only nodes that receive on it get
   /// the packet, and only packets on it collide with it. @pre the plan has it
   std::optional<int> channel = {};
+  /// How each node moves over ground, x East, y North, z down, in the order of the positions; empty:
+  /// none moves. Matters where sound bends, for Doppler.
+  std::span<const Eigen::Vector3d> velocities_mps = {};
 };
 
 class AcousticNetwork {
@@ -54,9 +58,10 @@ class AcousticNetwork {
   static constexpr double kMaxRange_m = 2.1e7;
 
   /// Nodes have the indices 0, 1 ... in this order.
-  /// @pre FindProblems(options, nodes).empty(), and names are unique.
+  /// @pre FindProblems(options, nodes).empty(), names are unique, and the surroundings have what
+  /// AcousticOptions::rays names.
   AcousticNetwork(const AcousticOptions& options, uint64_t seed,
-                  std::span<const AcousticNode> nodes);
+                  std::span<const AcousticNode> nodes, const RaySurroundings& surroundings = {});
 
   /// Takes one more node in and returns its index, or states why it cannot take part.
   Result<int> AddNode(const AcousticNode& node);
@@ -119,7 +124,9 @@ class AcousticNetwork {
     double start_s = 0;
     double end_s = 0;
     double range_m = -1;
+    double travel_s = -1;
     PathEffects path;
+    std::optional<RayReception> rays;
     AirLane::Ticket ticket;
     int64_t own_number = -1;      ///< The receiver's transmission when this one began; or -1.
     int64_t num_own_started = 0;  ///< Transmissions that the receiver had begun by then.
@@ -131,7 +138,11 @@ class AcousticNetwork {
 
   void Recycle();
   void Offer(const AcousticTransmission& transmission, int32_t index, int receiver,
-             std::span<const Eigen::Vector3d> positions_m);
+             std::span<const Eigen::Vector3d> positions_m,
+             std::span<const Eigen::Vector3d> velocities_mps);
+  /// Finds its way, if it has one. @pre both positions are known
+  void FindPath(const AcousticTransmission& transmission, const RayEnd& from, const RayEnd& to,
+                Pending* pending);
   StreamKey KeyOf(const AcousticTransmission& transmission, int receiver) const {
     return transmission.key.With(nodes_[static_cast<size_t>(receiver)].receives);
   }
@@ -150,6 +161,7 @@ class AcousticNetwork {
   AcousticOptions options_;
   ChannelPlan plan_;
   PathModel path_;
+  std::optional<RayChannel> rays_;
   uint64_t seed_;
   std::vector<Node> nodes_;
   std::set<std::string, std::less<>> names_;

@@ -7,6 +7,7 @@
 
 #include "lib/base/check/enum_table.h"
 #include "lib/sea/acoustics/modem_preset.h"
+#include "lib/sea/acoustics/ray_channel_options.h"
 
 namespace shoal {
 
@@ -70,6 +71,9 @@ struct AcousticOptions {
 
   std::optional<ModemPreset> modem = std::nullopt;  ///< Present where a model is kModem.
   Sea sea = {};                                     ///< Between the modems.
+  /// Sound bends: levels and travel times come from rays, and need the modem. Absent: sound travels
+  /// straight at sound_speed_mps, and levels fall by Sea::spreading_exponent.
+  std::optional<RayChannelOptions> rays = std::nullopt;
 
   bool operator==(const AcousticOptions&) const = default;
 };

@@ -28,7 +28,7 @@ void AddLine(std::string_view name, int64_t count, int64_t whole, std::string* t
 
 std::string_view AcousticFateText(AcousticFate fate) {
   static constexpr EnumTable<AcousticFate, std::string_view> kTexts = {
-      "not_listening",         "no_path",
+      "not_listening",         "no_path", "shadow_zone",
       "half_duplex",           "collision",
       "packet_loss",           "damaged_by_collision",
       "damaged_by_bit_errors", "delivered"};
@@ -48,6 +48,8 @@ std::string StatisticsText(const AcousticStatistics& statistics) {
   AddLine("offered to listeners", to_listeners, 0, &text);
   for (size_t i = 0; i < kNumAcousticFates; ++i) {
     const auto fate = static_cast<AcousticFate>(i);
+    // Seas in which sound does not bend have no shadows.
+    if (fate == AcousticFate::kShadowZone && statistics.NumOf(fate) == 0) continue;
     const bool counts = fate != AcousticFate::kNotListening;
     AddLine(AcousticFateText(fate), statistics.NumOf(fate), counts ? to_listeners : 0, &text);
   }

@@ -33,7 +33,7 @@ TEST(HandsOver, IsTrueForWhatArrivesInAnyState) {
 TEST(StatisticsText, GivesEveryNumberALineAndAShareOfWhatWasOffered) {
   const AcousticStatistics statistics = {.num_transmissions = 70,
                                          .num_offered = 210,
-                                         .num_fates = {10, 1, 2, 3, 4, 5, 20, 160},
+                                         .num_fates = {10, 1, 0, 2, 3, 4, 5, 20, 160},
                                          .num_in_transit = 5,
                                          .num_collided = 8,
                                          .num_bits_flipped = 31,

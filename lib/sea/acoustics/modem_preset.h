@@ -49,7 +49,7 @@ struct Sea {
 /// What decided whether a packet came through, in the order in which it was computed.
 struct LinkBudget {
   double transmission_loss_db = 0;
-  double noise_level_db = 0;  ///< In the modem's band.
+  double noise_level_db = 0;  ///< In the modem's band, what disturbs included.
   double snr_db = 0;          ///< In the modem's band.
   double eb_over_n0_db = 0;   ///< Per transmitted bit, a code's check bits counted.
   double bit_error_rate = 0;  ///< Of transmitted bits, before a code corrects; [0, 0.5].
@@ -68,12 +68,20 @@ class LinkModel {
   /// The same at another rate of the user's bits than the modem's own: the slower, the more energy
   /// has each bit.
   [[nodiscard]] LinkBudget At(double range_m, double data_rate_bps) const;
+  /// The same where two powers arrive, relative to that at 1 m: one that is the signal, and one
+  /// that disturbs like noise. @pre neither is negative
+  [[nodiscard]] LinkBudget OfPowers(double signal, double interference, double data_rate_bps) const;
+  [[nodiscard]] LinkBudget OfPowers(double signal, double interference) const {
+    return OfPowers(signal, interference, data_rate_bps_);
+  }
 
   /// At the middle of the band.
   double absorption_dbpkm() const { return absorption_dbpkm_; }
   double noise_level_db() const { return noise_level_db_; }
 
  private:
+  void AddBitErrors(double data_rate_bps, LinkBudget* link) const;
+
   double source_level_db_;
   double bandwidth_khz_;
   double data_rate_bps_;

@@ -22,31 +22,53 @@ std::optional<LinkModel> MakeLink(const AcousticOptions& options) {
 PathModel::PathModel(const AcousticOptions& options)
     : options_(options), link_(MakeLink(options)) {}
 
+RayBand PathModel::band() const {
+  if (!link_) return {};
+  return {.hz = 500 * (options_.modem->low_khz + options_.modem->high_khz),
+          .absorption_dbpkm = link_->absorption_dbpkm()};
+}
+
+LinkBudget PathModel::BudgetOf(double range_m, std::optional<double> data_rate_bps,
+                               const RayReception* rays) const {
+  const double rate_bps = data_rate_bps.value_or(options_.modem->data_rate_bps);
+  return rays != nullptr ? link_->OfPowers(rays->signal, rays->interference, rate_bps)
+                         : link_->At(range_m, rate_bps);
+}
+
+double PathModel::LossByModem(const LinkBudget& budget, size_t num_bytes,
+                              const RayReception* rays) const {
+  if (rays != nullptr && !options_.rays->packet_errors.empty()) {
+    return LossOf(options_.rays->packet_errors, budget.snr_db);
+  }
+  return PacketErrorRate(budget.bit_error_rate, num_bytes, options_.modem->code);
+}
+
 PathEffects PathModel::Draw(double range_m, double freq_khz, size_t num_bytes, const StreamKey& key,
-                            std::optional<double> data_rate_bps) const {
+                            std::optional<double> data_rate_bps,
+                            const RayReception* rays) const {
   Stream stream(key);
   const double jitter_draw = stream.Uniform();
   const double loss_draw = stream.Uniform();
   PathEffects effects;
   effects.jitter_s =
       options_.jitter == JitterModel::kUniform ? jitter_draw * options_.max_jitter_s : 0;
-  double wrong_by_modem = 0;  // The probability that a bit is wrong.
+  LinkBudget budget;
   if (link_) {
-    const LinkBudget budget =
-        data_rate_bps ? link_->At(range_m, *data_rate_bps) : link_->At(range_m);
+    budget = BudgetOf(range_m, data_rate_bps, rays);
     effects.snr_db = budget.snr_db;
-    wrong_by_modem = budget.bit_error_rate;
   }
   if (options_.packet_loss_model != PacketLossModel::kOff) {
     effects.loss_probability =
         options_.packet_loss_model == PacketLossModel::kModem
-            ? PacketErrorRate(wrong_by_modem, num_bytes, options_.modem->code)
+            ? LossByModem(budget, num_bytes, rays)
             : PacketLossProbability(options_, range_m, freq_khz);
     effects.is_lost = loss_draw < effects.loss_probability;
+    effects.is_in_shadow = effects.is_lost && rays != nullptr &&
+                           rays->shadow != ShadowReason::kNone && effects.loss_probability >= 0.5;
   }
   if (options_.bit_error_model != BitErrorModel::kOff) {
     effects.bit_error_probability = options_.bit_error_model == BitErrorModel::kModem
-                                        ? wrong_by_modem
+                                        ? budget.bit_error_rate
                                         : BitErrorProbability(options_, range_m);
     effects.num_wrong_bits =
         DrawBinomial(static_cast<int64_t>(8 * num_bytes), effects.bit_error_probability, &stream);

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "lib/base/check/enum_table.h"
+#include "lib/sea/acoustics/ray_channel.h"
 
 namespace shoal {
 
@@ -15,6 +16,7 @@ namespace shoal {
 enum class AcousticFate : uint8_t {
   kNotListening,  ///< The receiver does not receive on this channel; only in tdma_lf.
   kNoPath,        ///< A position is not known, or farther than sound can come.
+  kShadowZone,    ///< Sound bends away: no path without a bounce, and none that is strong enough.
   kHalfDuplex,    ///< The receiver was sending meanwhile.
   kCollided,      ///< Others on the channel overlapped it; only where collisions drop packets.
   kLost,          ///< Packet loss.
@@ -59,6 +61,7 @@ struct Reception {
   double range_m = -1;  ///< Between the two at sent_s.
 
   std::optional<double> snr_db = std::nullopt;  ///< In the modem's band, where a model asks for it.
+  std::optional<RayReception> rays = std::nullopt;  ///< What arrived, where sound bends.
   double loss_probability = -1;
   double bit_error_probability = -1;  ///< Of each bit.
   int64_t num_bits_flipped = 0;

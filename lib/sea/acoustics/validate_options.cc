@@ -83,6 +83,20 @@ bool HasCheckBits(const BlockCode& code) {
   return code.corrected_bits > 0 || code.block_bits != code.data_bits;
 }
 
+/// What the model rays of the channel needs.
+void CheckRays(const AcousticOptions& options, std::vector<OptionProblem>* problems) {
+  const std::string problem = ProblemOf(*options.rays);
+  if (!problem.empty()) problems->push_back({"channel", problem});
+  if (options.packet_loss_model == PacketLossModel::kModem ||
+      options.bit_error_model == BitErrorModel::kModem) {
+    return;
+  }
+  problems->push_back({"channel",
+                       "model = \"rays\" finds levels of sound, and only a modem knows what they "
+                       "mean: name one, as in modem = \"whoi_micromodem2\", and let "
+                       "packet_loss_model or bit_error_model be \"modem\""});
+}
+
 /// What the models that ask for a modem need.
 void CheckModem(const AcousticOptions& options, std::vector<OptionProblem>* problems) {
   const bool loses = options.packet_loss_model == PacketLossModel::kModem;
@@ -99,6 +113,7 @@ void CheckModem(const AcousticOptions& options, std::vector<OptionProblem>* prob
                              " = \"modem\" needs a modem; name one, as in modem = "
                              "\"whoi_micromodem2\", or choose another model"});
   }
+  if (options.rays) CheckRays(options, problems);
   if (loses && damages) {
     problems->push_back(
         {"bit_error_model",

@@ -5,7 +5,7 @@
 // The subset: one medium; speeds linear in depth (C) or with a .ssp (Q); surface and bottom vacuum,
 // rigid, fluid half-space or a table; boundaries of straight pieces without properties of their
 // own; attenuation in any unit, in the bottom alone; Thorp's absorption or none. What is beyond it
-// is refused with the line, never read as something else. docs/rays.md lists it.
+// is refused with the line, never read as something else. docs/communication/rays.md lists it.
 #pragma once
 
 #include <functional>

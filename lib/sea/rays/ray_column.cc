@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/arithmetic/elementary.h"
+#include "lib/sea/rays/atanh_over_x.h"
 
 namespace shoal {
 
@@ -12,19 +13,7 @@ namespace {
 /// Depths nearer than this are one vertex.
 constexpr double kSameDepth_m = 1e-9;
 
-/// atanh(x) / x, and asin(x) / x, for |x| < 1.
-double AtanhOverX(double x) {
-  const double square = x * x;
-  if (square < 2.5e-3) {
-    return 1 +
-           square * (1.0 / 3 +
-                     square * (1.0 / 5 +
-                               square * (1.0 / 7 +
-                                         square * (1.0 / 9 + square * (1.0 / 11 + square / 13)))));
-  }
-  return Log1p(2 * x / (1 - x)) / (2 * x);
-}
-
+/// asin(x) / x, for |x| < 1.
 double AsinOverX(double x) {
   const double square = x * x;
   if (square < 1e-4) {

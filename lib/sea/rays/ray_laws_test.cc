@@ -190,7 +190,7 @@ class PekerisModes {
 
 TEST(PekerisGuide, HasTheLevelsOfItsModes) {
   // Levels averaged over 40 ranges of 2.5 m each: single ranges interfere by displacements at the
-  // bottom that geometric rays do not have (docs/rays.md).
+  // bottom that geometric rays do not have (docs/communication/rays.md).
   const HalfSpace below = {1650, 1.9, 0};
   const double hz = 6000;
   const PekerisModes modes(60, hz, below);

@@ -8,12 +8,15 @@
 
 #include "lib/base/arithmetic/elementary.h"
 #include "lib/base/check/bounds.h"
+#include "lib/sea/rays/atanh_over_x.h"
 
 namespace shoal {
 
 namespace {
 
-/// A ray turns by at most this much in a step: delays are then good to 1e-12 s.
+/// An arc turns by at most this much, so that it meets a straight edge once or twice.
+constexpr double kLargestArc_rad = 0.5;
+/// In other water a ray turns by at most this much in a step: delays are then good to 1e-12 s.
 constexpr double kLargestTurn_rad = 0.015;
 /// And the gradient of the speed, relative to it and per length of a step, changes by at most this.
 constexpr double kLargestChange = 1e-3;
@@ -43,7 +46,7 @@ struct SpeedCell {
   double by_depth = 0;
   double by_both = 0;
 
-  bool IsConstant() const { return by_range == 0 && by_depth == 0 && by_both == 0; }
+  bool IsLayered() const { return by_range == 0 && by_both == 0; }
   double At(const Eigen::Vector2d& at) const {
     const double r = at.x() - range_m;
     const double z = at.y() - depth_m;
@@ -66,11 +69,52 @@ RayState RateOf(const RayState& ray, const SpeedCell& cell) {
           -square * gradient_slope + 2 * square * inverse * c_slope * gradient, inverse};
 }
 
+/// A step in water whose speed changes with depth alone: an arc of a circle, in closed form. With the
+/// angle of the ray th = th0 - g xi s, chords are s sinc(turn / 2), the time is
+/// (atanh(sin th0) - atanh(sin th1)) / g, and what the launch angle changes is integrated along the
+/// arc likewise.
+RayState ArcOf(const RayState& ray, const SpeedCell& cell, double step_m) {
+  const double c = cell.At(ray.at);
+  const double g = cell.by_depth;
+  const double xi = ray.slowness.x();
+  const double cos0 = xi * c;
+  const double sin0 = ray.slowness.y() * c;
+  const double half_turn = g * xi * step_m / 2;
+  const auto [sin_half, cos_half] = SinCos(half_turn);
+  const double sinc = std::abs(half_turn) < 1e-4 ? 1 - half_turn * half_turn / 6
+                                                 : sin_half / half_turn;
+  const double cos_middle = cos0 * cos_half + sin0 * sin_half;
+  const double sin_middle = sin0 * cos_half - cos0 * sin_half;
+  const double cos1 = cos_middle * cos_half + sin_middle * sin_half;
+  const double sin1 = sin_middle * cos_half - cos_middle * sin_half;
+  const Eigen::Vector2d chord = step_m * sinc * Eigen::Vector2d(cos_middle, sin_middle);
+  RayState next = ray;
+  next.at += chord;
+  const double c1 = cell.At(next.at);
+  next.slowness = {xi, sin1 / c1};
+  const double product = sin0 * sin1;
+  const double rest = product > 0 ? (cos0 * cos0 + cos1 * cos1 - cos0 * cos0 * cos1 * cos1) /
+                                        (1 + product)
+                                  : 1 - product;
+  const double u = xi * chord.x() / rest;
+  next.time_s += u * AtanhOverX(g * u);
+  const double xi_slope = ray.slowness_slope.x();
+  const double angle_slope =
+      c * c * (xi * ray.slowness_slope.y() - ray.slowness.y() * xi_slope);
+  const double relative = xi_slope / xi;
+  next.at_slope.x() += -angle_slope * chord.y() + (step_m * cos1 - chord.x()) * relative;
+  next.at_slope.y() += angle_slope * chord.x() - (chord.y() - step_m * sin1) * relative;
+  const double angle_slope1 = angle_slope - g * step_m * xi_slope;
+  next.slowness_slope.y() =
+      (cos1 * angle_slope1 - sin1 * g * next.at_slope.y() / c1) / c1;
+  return next;
+}
+
 /// Butcher, J. C. (1964), On Runge-Kutta processes of high order, J. Austral. Math. Soc. 4,
 /// 179-194: seven stages, sixth order.
 RayState StepOf(const RayState& ray, const SpeedCell& cell, double step_m) {
+  if (cell.IsLayered()) return ArcOf(ray, cell, step_m);
   const RayState a = RateOf(ray, cell);
-  if (cell.IsConstant()) return ray.Plus(a, step_m);
   const double h = step_m;
   const auto rate_at = [&](const RayState& at) { return RateOf(at, cell); };
   const RayState b = rate_at(ray.Plus(a, h / 3));
@@ -201,6 +245,10 @@ class RayMarch {
   }
 
   double LongestStep(double longest_m) const {
+    if (cell_.IsLayered()) {
+      const double turn = std::abs(cell_.by_depth * ray_.slowness.x());
+      return std::min({turn > 0 ? kLargestArc_rad / turn : kInfinity, longest_m, kFar_m});
+    }
     const double turn = std::sqrt(cell_.GradientAt(ray_.at).squaredNorm()) / cell_.At(ray_.at);
     // The gradient of a bilinear cell changes along the way.
     const double change = std::abs(cell_.by_both) / cell_.At(ray_.at);

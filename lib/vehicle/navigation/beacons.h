@@ -9,6 +9,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -52,11 +53,19 @@ struct BeaconReading {
   std::optional<UsblReading> direction;  ///< Its range is range_m.
 };
 
+/// Returns how long sound takes from one place to another, s, by its first arrival; nothing where it
+/// does not come.
+using TravelTimes = std::function<std::optional<double>(const Eigen::Vector3d& from_m,
+                                                        const Eigen::Vector3d& to_m)>;
+
 class BeaconReceiver {
  public:
-  /// Draws depend on the name of a beacon and the number of its ping. @pre as stated there
+  /// Draws depend on the name of a beacon and the number of its ping. Ranges are travel times
+  /// multiplied with AcousticRanging::sound_speed_mps, as instruments have them; without
+  /// `travel_times` sound goes straight at that speed, and ranges have no error by the sea.
+  /// @pre as stated there
   BeaconReceiver(const AcousticRanging& ranging, const OwnClock& clock, std::vector<Beacon> beacons,
-                 const StreamKey& key);
+                 const StreamKey& key, TravelTimes travel_times = {});
 
   /// Returns what arrived since the last call; nothing at the first. Times are since the mission's
   /// start, and grow. The vehicle is at `position_m`, z down.
@@ -69,13 +78,16 @@ class BeaconReceiver {
                                          double time_s) const;
 
  private:
-  BeaconReading Measure(size_t number, const Eigen::Vector3d& position_m, double heading_rad,
-                        double time_s, Stream* draws) const;
+  /// The way to a beacon as instruments measure it; nothing where no sound comes.
+  std::optional<double> RangeTo(const Beacon& beacon, const Eigen::Vector3d& position_m) const;
+  BeaconReading Measure(size_t number, double range_m, const Eigen::Vector3d& position_m,
+                        double heading_rad, double time_s, Stream* draws) const;
 
   AcousticRanging ranging_;
   OwnClock clock_;
   std::vector<Beacon> beacons_;
   std::vector<StreamKey> keys_;
+  TravelTimes travel_times_;
   std::vector<std::optional<int64_t>> last_pings_;  ///< Numbers, of each beacon.
 };
 

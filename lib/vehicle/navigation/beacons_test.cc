@@ -42,6 +42,26 @@ TEST(Beacons, AreReceivedWithinTheRangeAndNotBeyond) {
   EXPECT_EQ(Times(ranging, At(1500.01, BeaconKind::kOneWay), 9).size(), 0U);
 }
 
+TEST(Beacons, MeasureTheTravelTimeOfTheirSound) {
+  // Sound takes a way of 1 % more than the straight one, and none comes from beyond 1600 m.
+  const TravelTimes bent = [](const Eigen::Vector3d& from_m,
+                              const Eigen::Vector3d& to_m) -> std::optional<double> {
+    const double range_m = (to_m - from_m).norm();
+    if (range_m > 1600) return std::nullopt;
+    return 1.01 * range_m / 1500;
+  };
+  BeaconReceiver receiver({}, {}, {At(1500, BeaconKind::kOneWay)}, StreamKey(1, "beacon"), bent);
+  std::vector<BeaconReading> readings;
+  for (int i = 0; i <= 15 && readings.empty(); ++i) {
+    readings = receiver.Read({0, 0, 0}, 0, i / 10.0);
+  }
+  ASSERT_EQ(readings.size(), 1U);
+  EXPECT_NEAR(readings[0].range_m, 1515, 1e-3);
+  EXPECT_NEAR(receiver.ReadPacket(0, 1, {100, 0, 0}, 0, 5).range_m, 1.01 * 1400, 1e-3);
+  BeaconReceiver far({}, {}, {At(1700, BeaconKind::kOneWay)}, StreamKey(1, "beacon"), bent);
+  for (int i = 0; i <= 300; ++i) EXPECT_TRUE(far.Read({0, 0, 0}, 0, i / 10.0).empty());
+}
+
 TEST(Beacons, AreLostAtTheStatedShare) {
   const int kCount = 4000;
   AcousticRanging ranging;

@@ -31,7 +31,7 @@ bool Instruments::Schedule::IsDue(double rate_hz, int64_t utime) {
 }
 
 Instruments::Instruments(const InstrumentOptions& drawn, std::vector<Beacon> beacons,
-                         const StreamKey& key)
+                         const StreamKey& key, TravelTimes travel_times)
     : options_(drawn),
       compass_key_(key.With("compass")),
       dvl_key_(key.With("dvl")),
@@ -40,7 +40,8 @@ Instruments::Instruments(const InstrumentOptions& drawn, std::vector<Beacon> bea
       gyro_(drawn.gyro, key.With("gyro")) {
   if (drawn.gps) gps_.emplace(*drawn.gps, key.With("gps"));
   if (drawn.ranging && !beacons.empty()) {
-    beacons_.emplace(*drawn.ranging, drawn.clock, std::move(beacons), key.With("beacon"));
+    beacons_.emplace(*drawn.ranging, drawn.clock, std::move(beacons), key.With("beacon"),
+                     std::move(travel_times));
   }
 }
 

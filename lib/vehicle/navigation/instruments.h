@@ -65,7 +65,9 @@ class Instruments {
  public:
   /// Draws depend on `key`, the instrument and the time, so that one instrument's options do not
   /// change what others read.
-  Instruments(const InstrumentOptions& drawn, std::vector<Beacon> beacons, const StreamKey& key);
+  /// `travel_times`: of the sound of beacons; without it sound goes straight (BeaconReceiver).
+  Instruments(const InstrumentOptions& drawn, std::vector<Beacon> beacons, const StreamKey& key,
+              TravelTimes travel_times = {});
 
   /// Returns what is read at `utime`; `start_utime` is the mission's. The first call sets the
   /// schedule; from then on each call is one step. @pre times increase
