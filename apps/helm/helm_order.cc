@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "lib/helm/modes/flag.h"
@@ -23,13 +24,17 @@ struct Grammar {
   Argument argument;
 };
 
+/// Two values for each of one or more points.
+constexpr size_t kPoints = std::numeric_limits<size_t>::max();
+
 // In the order of OrderKind.
 constexpr EnumTable<OrderKind, Grammar> kGrammar = {
     Grammar{"deploy", 0, Argument::kNone},       Grammar{"return", 0, Argument::kNone},
     Grammar{"station_keep", 0, Argument::kNone}, Grammar{"all_stop", 0, Argument::kReason},
     Grammar{"resume", 0, Argument::kNone},       Grammar{"park", 0, Argument::kNone},
     Grammar{"goto", 2, Argument::kNone},         Grammar{"speed", 1, Argument::kNone},
-    Grammar{"task", 0, Argument::kTask},         Grammar{"set", 0, Argument::kSetting},
+    Grammar{"task", 0, Argument::kTask},         Grammar{"move", kPoints, Argument::kTask},
+    Grammar{"set", 0, Argument::kSetting},
 };
 
 /// Reads "VARIABLE = value", as flags are written.
@@ -51,7 +56,12 @@ Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
   if (grammar == kGrammar.end()) {
     return Error{fmt::format("unknown command '{}'", Printable(command))};
   }
-  if (values.size() != grammar->num_values) {
+  const bool takes_points = grammar->num_values == kPoints;
+  if (takes_points && (values.empty() || values.size() % 2 != 0)) {
+    return Error{
+        fmt::format("{} takes x and y of each point and not {} values", command, values.size())};
+  }
+  if (!takes_points && values.size() != grammar->num_values) {
     return Error{
         fmt::format("{} takes {} values and not {}", command, grammar->num_values, values.size())};
   }
@@ -84,6 +94,7 @@ Result<HelmOrder> ReadOrder(std::string_view command, std::string_view argument,
     order.setting = *setting;
   }
   if (grammar->argument == Argument::kTask) order.task = argument;
+  if (takes_points) order.places.assign(values.begin(), values.end());
   if (grammar->argument == Argument::kReason) order.reason = Printable(argument);
   return order;
 }

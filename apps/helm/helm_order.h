@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "lib/base/check/enum_table.h"
 #include "lib/base/check/result.h"
@@ -22,6 +23,7 @@ enum class OrderKind {
   kGoto,         ///< Go to a point and stay there.
   kSpeed,        ///< Another speed for the task that runs.
   kTask,         ///< Jump to a task of the list.
+  kMove,         ///< Another place for a task of the list.
   kSet,          ///< Set a variable of the behaviors.
 };
 inline constexpr int kNumOrderKinds = static_cast<int>(kNumEnumerators<OrderKind>);
@@ -30,7 +32,8 @@ struct HelmOrder {
   OrderKind kind = OrderKind::kPark;
   Eigen::Vector2d point_m = Eigen::Vector2d::Zero();  ///< Of kGoto.
   double speed_mps = 0;                               ///< Of kSpeed; > 0.
-  std::string task = {};                              ///< Of kTask.
+  std::string task = {};                              ///< Of kTask and kMove.
+  std::vector<double> places = {};                    ///< Of kMove: x, y of each point, m.
   std::string reason = {};                            ///< Of kAllStop; empty: none was given.
   VariablePost setting = {};                          ///< Of kSet.
 };

@@ -18,8 +18,10 @@ std::string ErrorOf(std::string_view command, std::string_view argument,
 TEST(ReadOrder, KnowsEveryOrderByItsName) {
   for (int i = 0; i < kNumOrderKinds; ++i) {
     const auto kind = static_cast<OrderKind>(i);
-    const size_t num_values = kind == OrderKind::kGoto ? 2 : kind == OrderKind::kSpeed ? 1 : 0;
-    const char* argument = kind == OrderKind::kTask ? "x" : kind == OrderKind::kSet ? "X=1" : "";
+    const bool has_point = kind == OrderKind::kGoto || kind == OrderKind::kMove;
+    const size_t num_values = has_point ? 2 : kind == OrderKind::kSpeed ? 1 : 0;
+    const bool has_task = kind == OrderKind::kTask || kind == OrderKind::kMove;
+    const char* argument = has_task ? "x" : kind == OrderKind::kSet ? "X=1" : "";
     const Result<HelmOrder> order =
         ReadOrder(Name(kind), argument, std::vector<double>(num_values, 3.0));
     ASSERT_TRUE(order.ok()) << order.error();
@@ -31,6 +33,9 @@ TEST(ReadOrder, TakesThePointTheSpeedAndTheTask) {
   EXPECT_EQ(ReadOrder("goto", "", std::vector{5.0, -7.0})->point_m, Eigen::Vector2d(5, -7));
   EXPECT_EQ(ReadOrder("speed", "", std::vector{2.5})->speed_mps, 2.5);
   EXPECT_EQ(ReadOrder("task", "survey", {})->task, "survey");
+  const std::vector<double> places = {1, 2, 3, 4};
+  EXPECT_EQ(ReadOrder("move", "survey", places)->task, "survey");
+  EXPECT_EQ(ReadOrder("move", "survey", places)->places, places);
 }
 
 TEST(ReadOrder, TakesAVariableAndItsValue) {
@@ -48,6 +53,9 @@ TEST(ReadOrder, StatesWhatIsWrong) {
   EXPECT_EQ(ErrorOf("goto", "", {1}), "goto takes 2 values and not 1");
   EXPECT_EQ(ErrorOf("deploy", "", {1}), "deploy takes 0 values and not 1");
   EXPECT_EQ(ErrorOf("deploy", "now", {}), "deploy takes no argument");
+  EXPECT_EQ(ErrorOf("move", "x", {1, 2, 3}), "move takes x and y of each point and not 3 values");
+  EXPECT_EQ(ErrorOf("move", "x", {}), "move takes x and y of each point and not 0 values");
+  EXPECT_EQ(ErrorOf("move", "", {1, 2}), "move needs the name of a task as its argument");
   EXPECT_EQ(ErrorOf("all_stop", std::string(101, 'x'), {}),
             "the reason of all_stop has 101 characters; 100 are the most");
   EXPECT_EQ(ErrorOf("task", "", {}), "task needs the name of a task as its argument");

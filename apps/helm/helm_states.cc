@@ -52,6 +52,8 @@ std::string HelmStates::Execute(const HelmOrder& order) {
       stopped_by_command_ = false;
       parked_ = true;
       return {};
+    case OrderKind::kMove:  // It changes what comes, not whether the vehicle moves.
+      return tasks_.Move(order.task, order.places);
     default:
       if (stopped_by_command_) {
         return fmt::format("{}: all-stop by command, send resume or park first", Name(order.kind));

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "lib/run/run/status_page.h"
+#include "lib/vehicle/guidance/moved_task.h"
 
 namespace shoal {
 
@@ -66,6 +67,20 @@ std::string TaskList::ChangeSpeed(double speed_mps) {
         task()->name, track->target);
   }
   speed_mps_ = speed_mps;
+  return {};
+}
+
+std::string TaskList::Move(std::string_view name, std::span<const double> places) {
+  const auto found = std::find_if(tasks_.begin(), tasks_.end(),
+                                  [&](const Task& task) { return task.name == name; });
+  if (found == tasks_.end()) return fmt::format("move: there is no task '{}'", Printable(name));
+  Result<Task> moved = MovedTask(*found, places);
+  if (!moved.ok()) return fmt::format("move: {}", moved.error());
+  *found = std::move(*moved);
+  if (listed_ && list_index_ == static_cast<size_t>(found - tasks_.begin())) {
+    listed_->task = *found;
+    listed_->was_moved = listed_->runner.has_value();
+  }
   return {};
 }
 
@@ -131,9 +146,12 @@ void TaskList::Advance(const Fix& fix) {
       current->task.what = endings_.TaskFor(*current->ending, fix, last_guidance_);
     }
     current->runner.emplace(endings_.AtItsDepth(current->task.what), fix);
+  } else if (current->was_moved) {
+    current->runner->Move(endings_.AtItsDepth(current->task.what), fix);
   } else if (current->was_paused) {
     current->runner->Rejoin(fix);
   }
+  current->was_moved = false;
   current->was_paused = false;
   guidance_ = current->runner->Update(fix);
   current->is_done = guidance_->done;

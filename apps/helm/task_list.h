@@ -13,7 +13,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "apps/helm/helm_endings.h"
@@ -41,6 +43,10 @@ class TaskList {
   /// @pre a task runs
   [[nodiscard]] std::string ChangeSpeed(double speed_mps);
 
+  /// Moves a task of the list, whether it runs or not, or returns why not and changes nothing. One
+  /// that runs goes on: TaskRunner::Move.
+  [[nodiscard]] std::string Move(std::string_view name, std::span<const double> places);
+
   /// Advances to the time of `fix`.
   void Advance(const Fix& fix);
   /// Nothing moves on in this step.
@@ -59,6 +65,7 @@ class TaskList {
     Task task;
     bool was_paused = false;  ///< Something else happened since the last update.
     bool is_done = false;
+    bool was_moved = false;                 ///< The runner does not know it yet.
     std::optional<TaskRunner> runner = {};  ///< Absent until there is a fix to start from.
     std::optional<Ending> ending = {};      ///< Present: the task is to follow from that fix.
   };

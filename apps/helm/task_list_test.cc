@@ -61,6 +61,45 @@ TEST_F(TaskListTest, GoesToAPointAndKeepsStationThere) {
   EXPECT_EQ(tasks_.guidance()->waypoint_m, Eigen::Vector2d(50, 60));
 }
 
+TEST_F(TaskListTest, GoesOnWithMovedWaypointsWhereItWas) {
+  Vehicle vehicle = TestVehicle();
+  vehicle.tasks = {{.name = "way", .what = WaypointsTask{.points_m = {{0, 100}, {0, 200}, {0, 300}}}},
+                   {.name = "round", .what = LoiterTask{.center_m = {0, 0}}}};
+  TaskList tasks(vehicle);
+  EXPECT_EQ(tasks.Execute(Order(OrderKind::kDeploy)), "");
+  tasks.Advance(At(0, 0, 0));
+  tasks.Advance(At(0, 99, 60));  // The first is reached.
+  EXPECT_EQ(tasks.guidance()->waypoint_index, 1);
+  const std::vector<double> places = {9, 9, 50, 200, 0, 300, 0, 400};
+  EXPECT_EQ(tasks.Move("way", places), "");
+  tasks.Advance(At(0, 100, 61));
+  EXPECT_EQ(tasks.guidance()->waypoint_index, 1) << "what was passed stays passed";
+  EXPECT_EQ(tasks.guidance()->waypoint_m, Eigen::Vector2d(50, 200));
+  const std::vector<double> one = {20, 30};
+  EXPECT_EQ(tasks.Move("way", one), "");
+  tasks.Advance(At(0, 100, 62));
+  EXPECT_EQ(tasks.guidance()->waypoint_m, Eigen::Vector2d(20, 30)) << "the last there is";
+}
+
+TEST_F(TaskListTest, MovesTasksThatAreStillToCome) {
+  EXPECT_EQ(tasks_.Execute(Order(OrderKind::kDeploy)), "");
+  tasks_.Advance(At(0, 0, 0));
+  const Eigen::Vector2d before_m = tasks_.guidance()->waypoint_m;
+  const std::vector<double> place = {500, 600};
+  EXPECT_EQ(tasks_.Move("circle", place), "");
+  tasks_.Advance(At(0, 0, 1));
+  EXPECT_EQ(tasks_.guidance()->waypoint_m, before_m);
+  EXPECT_EQ(tasks_.Execute({.kind = OrderKind::kTask, .task = "circle"}), "");
+  tasks_.Advance(At(500, 600, 2));
+  EXPECT_LT((tasks_.guidance()->waypoint_m - Eigen::Vector2d(500, 600)).norm(), 200);
+}
+
+TEST_F(TaskListTest, StatesWhyATaskCannotBeMoved) {
+  const std::vector<double> places = {1, 2, 3, 4};
+  EXPECT_EQ(tasks_.Move("nowhere", places), "move: there is no task 'nowhere'");
+  EXPECT_EQ(tasks_.Move("circle", places), "move: loiter has one place: give X Y");
+}
+
 TEST_F(TaskListTest, GoesOnWithTheListAfterAnInterruption) {
   EXPECT_EQ(tasks_.Execute(Order(OrderKind::kDeploy)), "");
   tasks_.Advance(At(0, 0, 0));

@@ -22,6 +22,9 @@ constexpr std::string_view kMessageUsage =
     "usage: message DEST VAR VALUE [--double] [--ack]; DEST: names joined by ':', all, or "
     "group:NAME";
 
+/// Of CommandShape::num_values: two for each of one or more points.
+constexpr int kPoints = -1;
+
 /// One command's shape.
 struct CommandShape {
   std::string_view name;
@@ -41,6 +44,7 @@ const std::vector<CommandShape>& HelmCommands() {
       {"goto", false, {2}, "X Y: go to a point (metres East, North) and stay there"},
       {"speed", false, {1}, "V: go at V m/s until the next task"},
       {"task", true, {0}, "NAME: jump to a task"},
+      {"move", true, {kPoints}, "NAME X Y [X Y ...]: another place for a task"},
       {"set", true, {0}, "VARIABLE=VALUE: set a variable of the behaviors"},
   };
   return shapes;
@@ -103,17 +107,20 @@ Result<Arguments> ParseArguments(const std::vector<CommandShape>& shapes, const 
   if (shape == shapes.end()) return Error{UnknownCommand(name, shapes)};
   Arguments arguments;
   if (shape->takes_text) {
-    if (words.size() != 1) {
-      return Error{fmt::format("usage: {} {}", shape->name, shape->help)};
-    }
+    const bool takes_points = shape->num_values.front() == kPoints;
+    const bool is_right =
+        takes_points ? words.size() >= 3 && words.size() % 2 == 1 : words.size() == 1;
+    if (!is_right) return Error{fmt::format("usage: {} {}", shape->name, shape->help)};
     arguments.text = words.front();
-    return arguments;
+    if (!takes_points) return arguments;
+    words = words.subspan(1);
   }
   for (const std::string& word : words) {
     const std::optional<double> value = ReadNumber<double>(word);
     if (!value) return Error{fmt::format("'{}' is not a number", word)};
     arguments.values.push_back(*value);
   }
+  if (shape->takes_text) return arguments;
   if (std::find(shape->num_values.begin(), shape->num_values.end(),
                 static_cast<int>(words.size())) == shape->num_values.end()) {
     return Error{fmt::format("usage: {} {}", shape->name, shape->help)};

@@ -86,6 +86,14 @@ TEST(HelmWords, StandForACommand) {
   const auto command = ParseHelmWords(Words{"goto", "10", "-20"});
   ASSERT_TRUE(command.ok());
   EXPECT_EQ(command->values, (std::vector<double>{10, -20}));
+  const auto move = ParseHelmWords(Words{"move", "survey", "1", "2.5", "3", "4"});
+  ASSERT_TRUE(move.ok());
+  EXPECT_EQ(move->argument, "survey");
+  EXPECT_EQ(move->values, (std::vector<double>{1, 2.5, 3, 4}));
+  for (const Words& words : {Words{"move"}, Words{"move", "survey"}, Words{"move", "survey", "1"},
+                             Words{"move", "survey", "1", "x"}, Words{"move", "1", "2"}}) {
+    EXPECT_FALSE(ParseHelmWords(words).ok());
+  }
   EXPECT_FALSE(ParseHelmWords(Words{"fly"}).ok());
   EXPECT_FALSE(ParseSimWords(Words{}).ok());
 }

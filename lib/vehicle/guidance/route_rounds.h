@@ -6,6 +6,7 @@
 //   to_m = points_m[rounds.index()];
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 
 namespace shoal {
@@ -33,6 +34,13 @@ class RouteRounds {
   /// The point is reached: goes on with the next, after the last with the first. Stays at the end
   /// of `most_rounds` rounds and returns false; 0: they never end.
   bool Pass(int most_rounds = 0);
+
+  /// Goes on with another list: what was reached stays counted, and the same point is steered for,
+  /// or the last one where there are fewer. @pre num_points > 0
+  void ChangeNumber(size_t num_points) {
+    num_points_ = num_points;
+    index_ = std::min(index_, num_points - 1);
+  }
 
   /// Steers for another point. @pre index < num_points
   void GoTo(size_t index) { index_ = index; }

@@ -107,6 +107,15 @@ void WaypointsRunner::Rejoin(const Fix& fix) {
   follower_.Rejoin(fix.position_m);
 }
 
+void WaypointsRunner::Move(const WaypointsTask& task, const Fix& fix) {
+  const Eigen::Vector2d to_m = task_.points_m[rounds_.index()];
+  task_ = task;
+  rounds_.ChangeNumber(task.points_m.size());
+  if (task.points_m[rounds_.index()] == to_m) return;
+  follower_ = LegFollower({.lookahead_m = task.lookahead_m, .crab_gain = task.crab_gain},
+                          task.capture, fix.position_m, task.points_m[rounds_.index()]);
+}
+
 LoiterRunner::LoiterRunner(const LoiterTask& task, const Fix& start)
     : task_(task),
       corners_m_(CornersOf(task)),
@@ -229,6 +238,16 @@ Guidance TaskRunner::Update(const Fix& fix) {
 void TaskRunner::Rejoin(const Fix& fix) {
   const Fix bounded = PlausibleFix(fix);
   std::visit([&](auto& runner) { runner.Rejoin(bounded); }, runner_);
+}
+
+void TaskRunner::Move(const What& what, const Fix& fix) {
+  const Fix bounded = PlausibleFix(fix);
+  auto* waypoints = std::get_if<WaypointsRunner>(&runner_);
+  if (waypoints != nullptr) {
+    waypoints->Move(std::get<WaypointsTask>(what), bounded);
+  } else {
+    runner_ = StartRunner(what, bounded);
+  }
 }
 
 }  // namespace shoal

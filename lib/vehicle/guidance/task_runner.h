@@ -77,6 +77,8 @@ class WaypointsRunner {
   WaypointsRunner(const WaypointsTask& task, const Fix& start);
   Guidance Update(const Fix& fix);
   void Rejoin(const Fix& fix);
+  /// Goes on with the points of `task`: those that were passed stay passed.
+  void Move(const WaypointsTask& task, const Fix& fix);
 
  private:
   WaypointsTask task_;
@@ -248,6 +250,10 @@ class TaskRunner {
 
   /// Goes on after a pause in which something else, or nothing, steered the vessel.
   void Rejoin(const Fix& fix);
+
+  /// Goes on with the same task in other places (moved_task.h). Waypoints that were passed stay
+  /// passed; every other kind begins again at `fix`. @pre `what` is of the kind that it began with
+  void Move(const What& what, const Fix& fix);
 
  private:
   Runner runner_;
