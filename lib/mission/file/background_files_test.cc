@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -54,13 +55,51 @@ TEST_F(Backgrounds, NeverComeFromOutsideOfTheMissionsFolder) {
   }
 }
 
+TEST_F(Backgrounds, AreNamedWithWhatToDoWhereTheyAreMissing) {
+  fs::create_directories(folder_ / "tiles");
+  std::ofstream(folder_ / "bay.mbtiles") << "SQLite format 3";
+  EXPECT_TRUE(MissingBackgrounds(MissionWith({"coast.geojson", "bay.mbtiles", "tiles/"})).empty());
+  const std::vector<std::string> missing =
+      MissingBackgrounds(MissionWith({"no.png", "link.json", "charts/bay.png/", "tiles"}));
+  ASSERT_EQ(missing.size(), 4u);
+  EXPECT_EQ(missing[0], "the background no.png: there is no no.png in " + folder_.string() +
+                            ": put it there, or leave it out of backgrounds");
+  EXPECT_EQ(missing[1], "the background link.json: a link leads out of " + folder_.string() +
+                            ": put the file itself there");
+  EXPECT_NE(missing[2].find("charts/bay.png/"), std::string::npos);
+  EXPECT_EQ(missing[3].find("the background tiles: a background ends in"), 0u);
+
+  const std::string text =
+      "[mission]\nduration_s = 60\nbackgrounds = [\"coast.geojson\", \"no.png\"]\n"
+      "[[vehicle]]\nname = \"alpha\"\n";
+  const LoadedMission loaded = LoadMissionText(text, (folder_ / "mine.toml").string());
+  EXPECT_TRUE(loaded.errors.empty());
+  const auto names_it = [](const std::string& warning) {
+    return warning.find("mine.toml:3:") != std::string::npos &&
+           warning.find("there is no no.png") != std::string::npos;
+  };
+  EXPECT_EQ(std::count_if(loaded.warnings.begin(), loaded.warnings.end(), names_it), 1);
+}
+
+TEST_F(Backgrounds, OfAFolderOfTilesLieBelowIt) {
+  fs::create_directories(folder_ / "tiles/3/4");
+  std::ofstream(folder_ / "tiles/3/4/5.png") << "pixels";
+  fs::create_symlink(folder_.string() + "-outside.json", folder_ / "tiles/3/4/6.png");
+  const BackgroundFolder found = BackgroundsOf(MissionWith({"tiles/"}));
+  EXPECT_TRUE(found.Find(0, "3/4/5.png").ok());
+  EXPECT_FALSE(found.Find(0, "3/4/6.png").ok()) << "a link out of the folder";
+  EXPECT_FALSE(found.Find(0, "../../etc/passwd").ok());
+  EXPECT_FALSE(found.Find(0, "3/4/7.png").ok());
+}
+
 TEST_F(Backgrounds, AreCopiedIntoARecordingWhereTheyAreThere) {
   EXPECT_EQ(BackgroundFilesThere(MissionWith({"charts/bay.png", "missing.tif", "coast.geojson"})),
             (std::vector<std::string>{"charts/bay.pgw", "charts/bay.png", "coast.geojson"}));
 }
 
 TEST(BackgroundProblem, NamesWhatABackgroundCanBe) {
-  for (const char* file : {"a.geojson", "charts/b.PNG", "c.tiff", "d.webp"}) {
+  for (const char* file :
+       {"a.geojson", "charts/b.PNG", "c.tiff", "d.webp", "e.mbtiles", "tiles/"}) {
     EXPECT_EQ(BackgroundProblem(file), "") << file;
   }
   for (const char* file : {"", "/a.png", "../a.png", "b/../../c.png", "a.svg", "a.toml"}) {

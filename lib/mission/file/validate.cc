@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/text/letters.h"
+#include "lib/mission/file/background_files.h"
 #include "lib/mission/model/names.h"
 #include "lib/mission/toml/suggest.h"
 
@@ -59,6 +60,13 @@ std::vector<const Vehicle*> VehiclesNamed(const Mission& mission, std::string_vi
   return mission.VehiclesNamed(addressees);
 }
 
+void WarnOfBackgrounds(const Mission& mission, const TablePlace& file) {
+  if (!file.Below("mission").IsSound()) return;
+  for (const std::string& text : MissingBackgrounds(mission)) {
+    file.Below("mission").Warn("backgrounds", text);
+  }
+}
+
 void Validate(Mission& mission, const TablePlace& file) {
   ResolveNames(mission, file);
   CompleteMission(mission, file);
@@ -79,6 +87,7 @@ void Validate(Mission& mission, const TablePlace& file) {
   ValidateEvents(mission, file);
   WarnOfAutopilots(mission, file);
   WarnOfIdleKeys(mission, file);
+  WarnOfBackgrounds(mission, file);
   WarnOfIdleTasks(mission, file);
   ValidateExpectations(mission, file);
   WarnOfConduct(mission, file);

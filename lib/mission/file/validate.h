@@ -98,6 +98,8 @@ void ValidateEvents(const Mission& mission, const TablePlace& file);
 void WarnOfAutopilots(const Mission& mission, const TablePlace& file);
 /// Warns of keys that have no effect beside the others of their vehicle.
 void WarnOfIdleKeys(const Mission& mission, const TablePlace& file);
+/// Warns of backgrounds that a viewer will not find.
+void WarnOfBackgrounds(const Mission& mission, const TablePlace& file);
 /// Warns of tasks behind one that never ends, where no event starts them.
 void WarnOfIdleTasks(const Mission& mission, const TablePlace& file);
 /// Warns of missions in which nothing happens that could be judged, and of vehicles that start in
