@@ -1,32 +1,23 @@
 #include "apps/viewer/page_export.h"
 
 #include <fmt/format.h>
-#include <sodium.h>
 #include <zlib.h>
 
 #include <cstdio>
 #include <memory>
 #include <vector>
 
-#include "apps/viewer/module_bundle.h"
 #include "lib/base/check/check.h"
 #include "lib/bus/os/replace_file.h"
-#include "lib/tools/page/page_script.h"
+#include "lib/tools/page/base64.h"
+#include "lib/tools/page/module_bundle.h"
+#include "lib/tools/page/script_hash.h"
 #include "lib/tools/view/page_recording.h"
 #include "lib/tools/view/recorded_view.h"
 
 namespace shoal {
 
 namespace {
-
-std::string Base64(std::string_view bytes) {
-  constexpr int kVariant = sodium_base64_VARIANT_ORIGINAL;
-  std::string text(sodium_base64_encoded_len(bytes.size(), kVariant), '\0');
-  sodium_bin2base64(text.data(), text.size(), reinterpret_cast<const unsigned char*>(bytes.data()),
-                    bytes.size(), kVariant);
-  text.pop_back();  // It ends with a zero byte.
-  return text;
-}
 
 /// Returns the value of an attribute of a line of HTML; empty: it has none.
 std::string_view AttributeOf(std::string_view line, std::string_view name) {
@@ -101,7 +92,9 @@ class OnePage {
     return true;
   }
   bool TakeScript(std::string_view name) {
-    Result<std::string> script = BundleModules(files_, fmt::format("/{}", name));
+    ModuleTexts modules;
+    for (const auto& [path, file] : files_) modules.emplace(path, file.bytes);
+    Result<std::string> script = BundleModules(modules, fmt::format("/{}", name));
     if (!script.ok()) return Fail(script.error());
     script_ = std::move(*script);
     if (script_.find("</script") != script_.npos || script_.find("<!--") != script_.npos) {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/tools/page/page_script.h"
+#include "lib/tools/page/script_hash.h"
 
 namespace shoal::page_export_test {
 

@@ -7,8 +7,7 @@
 
 namespace shoal {
 
-/// In the order of the list in lib/tools/campaign/CMakeLists.txt: a module comes after those that
-/// it imports.
+/// In the order of the list in lib/tools/report/CMakeLists.txt.
 std::span<const EmbeddedFile> EmbeddedPage();
 
 }  // namespace shoal

@@ -3,10 +3,10 @@
 #include <array>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "lib/base/check/check.h"
-#include "lib/tools/page/page_script.h"
+#include "lib/tools/page/module_bundle.h"
+#include "lib/tools/page/script_hash.h"
 #include "lib/tools/report/embedded_page.h"
 #include "lib/tools/report/page_data.h"
 #include "lib/tools/report/report_text.h"
@@ -19,7 +19,7 @@ namespace {
 struct PageParts {
   std::string_view frame;  ///< HTML with places for the rest.
   std::string styles;
-  std::vector<std::string_view> modules;
+  ModuleTexts modules;
 };
 
 PageParts EmbeddedParts() {
@@ -29,7 +29,7 @@ PageParts EmbeddedParts() {
                                 file.bytes.size());
     if (file.path.ends_with(".html")) parts.frame = text;
     if (file.path.ends_with(".css")) parts.styles += std::string(text) + '\n';
-    if (file.path.ends_with(".js")) parts.modules.push_back(text);
+    if (file.path.ends_with(".js")) parts.modules.emplace(file.path, text);
   }
   return parts;
 }
@@ -62,7 +62,9 @@ std::string HtmlText(std::string_view text) {
 std::string ReportPage(const CampaignResults& results, const ReportTables& tables,
                        const std::string& dir) {
   const PageParts parts = EmbeddedParts();
-  const std::string script = OneScript(parts.modules);
+  const Result<std::string> bundle = BundleModules(parts.modules, "/campaign/report.js");
+  SHOAL_CHECK(bundle.ok(), "the modules of web/campaign are embedded, and import no other");
+  const std::string& script = *bundle;
   // In the order of the frame: what was put in is not looked at again.
   const std::array<std::pair<std::string_view, std::string>, 6> places = {
       std::pair("{{policy}}",

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "lib/tools/campaign/campaign_testing.h"
-#include "lib/tools/page/page_script.h"
+#include "lib/tools/page/script_hash.h"
 
 namespace shoal {
 

@@ -1,24 +1,19 @@
-#include "apps/viewer/module_bundle.h"
+#include "lib/tools/page/module_bundle.h"
 
 #include <gtest/gtest.h>
 
 namespace shoal::module_bundle_test {
 
-PageFiles FilesOf(const std::vector<std::pair<std::string, std::string>>& texts) {
-  PageFiles files;
-  for (const auto& [path, text] : texts) files[path] = {"text/javascript", text};
-  return files;
-}
-
 TEST(ModuleBundle, PutsEachModuleBehindThoseThatItImportsInAScopeOfItsOwn) {
   const auto bundle = BundleModules(
-      FilesOf({{"/app.js",
-                "import {b as c,\n  D} from './net/b.js';\nimport u from './u.js';\nc(u);\n"},
-               {"/net/b.js",
-                "import u from '../u.js';\nexport const b = u;\nexport class D {}\n"
-                "export async function wait() {}\n"},
-               {"/u.js",
-                "/*\nexport function v() {}\n*/\nfunction u() {}\nexport { u as default };\n"}}),
+      ModuleTexts(
+          {{"/app.js",
+            "import {b as c,\n  D} from './net/b.js';\nimport u from './u.js';\nc(u);\n"},
+           {"/net/b.js",
+            "import u from '../u.js';\nexport const b = u;\nexport class D {}\n"
+            "export async function wait() {}\n"},
+           {"/u.js",
+            "/*\nexport function v() {}\n*/\nfunction u() {}\nexport { u as default };\n"}}),
       "/app.js");
   ASSERT_TRUE(bundle.ok()) << bundle.error();
   EXPECT_EQ(*bundle,
@@ -31,14 +26,14 @@ TEST(ModuleBundle, PutsEachModuleBehindThoseThatItImportsInAScopeOfItsOwn) {
 }
 
 TEST(ModuleBundle, NamesAModuleThatIsMissingOrImportsItself) {
-  EXPECT_EQ(BundleModules(FilesOf({{"/a.js", "import {b} from './b.js';\n"}}), "/a.js").error(),
+  EXPECT_EQ(BundleModules(ModuleTexts({{"/a.js", "import {b} from './b.js';\n"}}), "/a.js").error(),
             "the page has no /b.js");
-  EXPECT_EQ(BundleModules(FilesOf({{"/a.js", "import {b} from './b.js';\n"},
-                                   {"/b.js", "import {a} from './a.js';\n"}}),
+  EXPECT_EQ(BundleModules(ModuleTexts({{"/a.js", "import {b} from './b.js';\n"},
+                                       {"/b.js", "import {a} from './a.js';\n"}}),
                           "/a.js")
                 .error(),
             "/a.js imports itself, by others");
-  EXPECT_EQ(BundleModules(FilesOf({{"/a.js", "import './b.js';\n"}}), "/a.js").error(),
+  EXPECT_EQ(BundleModules(ModuleTexts({{"/a.js", "import './b.js';\n"}}), "/a.js").error(),
             "/a.js: an import of another form: import './b.js';\n");
 }
 

@@ -1,4 +1,4 @@
-#include "apps/viewer/module_bundle.h"
+#include "lib/tools/page/module_bundle.h"
 
 #include <fmt/format.h>
 
@@ -42,7 +42,7 @@ std::string_view DeclaredName(std::string_view rest) {
 
 class Bundle {
  public:
-  explicit Bundle(const PageFiles& files) : files_(files) {}
+  explicit Bundle(const ModuleTexts& modules) : modules_(modules) {}
 
   /// Appends the module and those that it imports, unless they are there; returns its variable.
   Result<std::string> Add(const std::string& path) {
@@ -50,10 +50,10 @@ class Bundle {
       if (it->second.empty()) return Error{fmt::format("{} imports itself, by others", path)};
       return it->second;
     }
-    const auto file = files_.find(path);
-    if (file == files_.end()) return Error{fmt::format("the page has no {}", path)};
+    const auto module = modules_.find(path);
+    if (module == modules_.end()) return Error{fmt::format("the page has no {}", path)};
     variables_[path] = {};
-    Result<std::string> body = BodyOf(path, file->second.bytes);
+    Result<std::string> body = BodyOf(path, module->second);
     if (!body.ok()) return body;
     const std::string variable = fmt::format("module{}", ++num_);
     script_ += fmt::format("const {} = (() => {{\n{}}})();\n", variable, *body);
@@ -112,7 +112,7 @@ class Bundle {
     return fmt::format("const {} = {};\n", taken, *variable);
   }
 
-  const PageFiles& files_;
+  const ModuleTexts& modules_;
   std::map<std::string, std::string> variables_;  ///< Of modules; empty while it is being read.
   std::string script_;
   int num_ = 0;  ///< Of the modules in it.
@@ -120,8 +120,8 @@ class Bundle {
 
 }  // namespace
 
-Result<std::string> BundleModules(const PageFiles& files, const std::string& entry) {
-  Bundle bundle(files);
+Result<std::string> BundleModules(const ModuleTexts& modules, const std::string& entry) {
+  Bundle bundle(modules);
   const Result<std::string> variable = bundle.Add(entry);
   if (!variable.ok()) return Error{variable.error()};
   return bundle.Take();
