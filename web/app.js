@@ -6,12 +6,14 @@ import {setCauses} from './page/causes.js';
 import {setVehicles, vehicleColor} from './page/colors.js';
 import {Commands} from './panels/commands.js';
 import {setText} from './page/dom.js';
+import {BackgroundDesk} from './page/background_desk.js';
 import {fillHelp} from './page/help.js';
 import {listenToKeys, showPressed} from './page/keys.js';
 import {MapFilm} from './map/map_film.js';
 import {MapView} from './map/map_view.js';
 import {CommsPanel} from './panels/panel_comms.js';
 import {DataPanel} from './panels/panel_data.js';
+import {PlanPanel} from './plan/panel_plan.js';
 import {EventsPanel} from './panels/panel_events.js';
 import {StatusPanel} from './panels/panel_status.js';
 import {VehiclePanel} from './panels/panel_vehicle.js';
@@ -50,7 +52,7 @@ class Page {
     this.numEvents = null;
     this.connection = ['connecting', ''];
     this.top = new TopBar((name, on) => this.setLayer(name, on),
-        (style) => this.setPulseStyle(style), (files) => this.#putUnder(files));
+        (style) => this.setPulseStyle(style), (files) => this.backgrounds.put(files));
     this.tabs = new Tabs(find('side'), () => this.#showPanels());
     this.map = new MapView(find('map'), {
       onVehicle: (name) => this.#clickVehicle(name),
@@ -58,13 +60,13 @@ class Page {
       onPointer: (place) => this.#showPointer(place),
       onView: () => this.keeper?.changed(),
     });
+    this.backgrounds = new BackgroundDesk(this, find('stage'));
     this.film = new MapFilm(find('map'), (film) => {
       this.map.titled = false;
       this.#download(film, 'webm');
     });
     this.verdict = new VerdictBox(find('verdict'));
     this.keeper = new ViewKeeper(this);
-    this.#takeDrops(find('stage'));
     fillHelp(find('help'));
     listenToKeys(this);
   }
@@ -74,7 +76,9 @@ class Page {
     this.setup = setup;
     setCauses(setup.causes);
     setVehicles(setup.vehicles);
-    this.isRecorded = setup.mode === 'recorded';
+    // Before a mission there is one moment, which is asked for like those of a recording.
+    this.isPlanned = setup.mode === 'planned';
+    this.isRecorded = setup.mode === 'recorded' || this.isPlanned;
     const listener = {
       onFrame: (frame) => this.#takeFrame(frame),
       onSetup: (other) => this.#turnTo(other),
@@ -88,13 +92,14 @@ class Page {
     };
     this.source = this.isRecorded ? new RecordedSource(setup, this.requests, listener)
       : new LiveSource(setup, this.requests, listener, openStream);
-    if (this.isRecorded) this.timeline = new Timeline(find('timeline'), this.source);
+    if (this.isRecorded && !this.isPlanned) this.timeline = new Timeline(find('timeline'), this.source);
     this.panels = {
       vehicle: new VehiclePanel(this, find('panel-vehicle')),
       comms: new CommsPanel(this, find('panel-comms')),
       data: new DataPanel(this, find('panel-data')),
       status: new StatusPanel(this, find('panel-status')),
       events: new EventsPanel(this, find('panel-events')),
+      plan: new PlanPanel(this, find('panel-plan')),
     };
     this.commands = new Commands(this, find('panel-commands'), (name) => this.#showAim(name));
     const hasEnded = this.isRecorded && sessionStorage.getItem(kEndedKey) !== null;
@@ -102,7 +107,7 @@ class Page {
     this.#showMission();
     this.keeper.restore();
     if (hasEnded) this.source.seek(setup.end_s);
-    if (this.isRecorded) this.#askVerdict(hasEnded, 1);
+    if (this.isRecorded && !this.isPlanned) this.#askVerdict(hasEnded, 1);
     this.source.start();
     requestAnimationFrame(() => this.#draw());
   }
@@ -187,11 +192,16 @@ class Page {
   }
 
   #download(blob, ending) {
+    const time = missionTime(this.frame?.t ?? 0).replaceAll(':', '-');
+    this.download(blob, `${fileName(this.setup.mission)}_${time}.${ending}`);
+  }
+
+  /** Saves bytes as a file of the user's. */
+  download(blob, name) {
     const url = URL.createObjectURL(blob);
     const link = document.createElement('a');
     link.href = url;
-    const time = missionTime(this.frame?.t ?? 0).replaceAll(':', '-');
-    link.download = `${fileName(this.setup.mission)}_${time}.${ending}`;
+    link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(url), 10000);
   }
@@ -264,32 +274,7 @@ class Page {
     this.top.setup(this.setup);
     this.#askTrails();
     this.#askEvents();
-    this.#askBackgrounds();
-  }
-
-  /** Puts the files that the mission names under it. */
-  async #askBackgrounds() {
-    const {world} = this;
-    this.map.removeBackgrounds();
-    const named = Array.isArray(this.setup.backgrounds) ? this.setup.backgrounds.slice(0, 20) : [];
-    const words = [];
-    for (const [number, background] of named.entries()) {
-      const name = String(background?.file).split('/').pop();
-      try {
-        const files = [new File([await this.requests.bytes('/api/background', {number})], name)];
-        if (background.has_world) {
-          const lies = await this.requests.bytes('/api/background', {number, world: 1});
-          files.push(new File([lies], name.replace(/\.[^.]*$/, '.wld')));
-        }
-        if (world !== this.world) return;
-        words.push(...await this.map.addBackgrounds(files));
-      } catch {
-        words.push(`the background ${name} cannot be read`);
-      }
-    }
-    if (world !== this.world || named.length === 0) return;
-    if (words.length > 0) this.top.note([...this.setup.notes, ...words].slice(0, 10));
-    this.top.showBackgrounds(this.map.backgrounds);
+    this.backgrounds.ask();
   }
 
   async #askTrails() {
@@ -326,6 +311,7 @@ class Page {
     try {
       const known = tidyEvents(await this.requests.get('/api/events'));
       this.panels.events.update(known);
+      this.map.setEvents(known);
     } catch {
       await pause(kRetry_ms);
       if (asked === this.numEvents) this.#askEvents();
@@ -338,26 +324,6 @@ class Page {
     }
     this.panels_ms = -Infinity;
     this.keeper?.changed();
-  }
-
-  // Files that are dropped anywhere else must not replace the page.
-  #takeDrops(stage) {
-    for (const type of ['dragover', 'drop']) {
-      document.addEventListener(type, (/** @type {DragEvent} */ event) => {
-        if (event.dataTransfer?.types?.includes('Files')) event.preventDefault();
-      });
-    }
-    stage.addEventListener('drop', (event) => {
-      if (event.dataTransfer?.files?.length > 0) this.#putUnder(event.dataTransfer.files);
-    });
-  }
-
-  /** @param files  to lie under the mission; null: none any more */
-  async #putUnder(files) {
-    if (!this.setup) return;
-    if (files === null) this.map.removeBackgrounds();
-    else this.top.note((await this.map.addBackgrounds(files)).slice(0, 10));
-    this.top.showBackgrounds(this.map.backgrounds);
   }
 
   #showPointer(place) {
@@ -378,7 +344,7 @@ class Page {
     if (this.isRecorded) {
       this.source.tick();
       this.world.setTime(this.source.t);
-      this.timeline.update();
+      this.timeline?.update();
       if (this.film.isRunning && this.source.t >= this.setup.end_s) this.film.stop();
     }
     this.map.setMark(this.commands.mark);

@@ -63,8 +63,9 @@ TEST_F(TaskListTest, GoesToAPointAndKeepsStationThere) {
 
 TEST_F(TaskListTest, GoesOnWithMovedWaypointsWhereItWas) {
   Vehicle vehicle = TestVehicle();
-  vehicle.tasks = {{.name = "way", .what = WaypointsTask{.points_m = {{0, 100}, {0, 200}, {0, 300}}}},
-                   {.name = "round", .what = LoiterTask{.center_m = {0, 0}}}};
+  vehicle.tasks = {
+      {.name = "way", .what = WaypointsTask{.points_m = {{0, 100}, {0, 200}, {0, 300}}}},
+      {.name = "round", .what = LoiterTask{.center_m = {0, 0}}}};
   TaskList tasks(vehicle);
   EXPECT_EQ(tasks.Execute(Order(OrderKind::kDeploy)), "");
   tasks.Advance(At(0, 0, 0));

@@ -55,6 +55,8 @@ Option AddPort(Command command, int* port_base) {
 
 constexpr char kQuiet[] = "No line of progress";
 
+constexpr char kAllowTiles[] =
+    "Let the page load tiles of a map from this address, https://HOST/{z}/{x}/{y}.png";
 constexpr char kAllowCommands[] =
     "The page may command vehicles, broker and clock, with the token in its address";
 
@@ -85,8 +87,10 @@ void AddView(Command shoal, CommandAction* action) {
       shoal.AddSubcommand("view", "Show a recorded mission, or the one that runs, in a browser");
   auto options = std::make_shared<ViewOptions>();
   auto example = std::make_shared<bool>(false);
-  const Option log = command.AddOption(
-      "LOG", &options->log, "A log, or the folder of a recording; default: the mission that runs");
+  const Option log = command.AddOption("LOG", &options->log,
+                                        "A log, the folder of a recording, or a mission file "
+                                        "(.toml) to plan; default: the mission that "
+                                        "runs");
   log.Check([](const std::string& text) {
     return text.empty() ? "it is empty: name a log, or the folder of a recording" : "";
   });
@@ -99,8 +103,8 @@ void AddView(Command shoal, CommandAction* action) {
       .Needs(log);
   AddPort(command, &options->port_base).Excludes(log).Excludes(wants_example);
   command.AddFlag("--allow-commands", &options->allow_commands, kAllowCommands)
-      .Excludes(log)
       .Excludes(wants_example);
+  command.AddOption("--allow-tiles", &options->outside_tiles, kAllowTiles);
   AddAddress(command, "--http", "--listen", options.get(), std::nullopt);
   const Option page = command.AddOption("--export", &options->export_path, kExport);
   page.Needs(log).Check([](const std::string& text) { return text.empty() ? kExportEmpty : ""; });
@@ -177,6 +181,7 @@ void AddRun(Command shoal, CommandAction* action) {
   const Option wants_view = command.AddFlag("--view", &parsed->view,
                                             "Run shoal-viewer beside it: the mission in a browser");
   command.AddFlag("--allow-commands", &view.allow_commands, kAllowCommands).Needs(wants_view);
+  command.AddOption("--allow-tiles", &view.outside_tiles, kAllowTiles).Needs(wants_view);
   AddAddress(command, "--view-http", "--view-listen", &view, wants_view);
   command
       .AddOption("--lose", &options.lose,

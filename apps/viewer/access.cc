@@ -119,11 +119,17 @@ std::optional<WebAnswer> FindDenial(const AccessRules& rules, const WebRequest& 
                        "this request comes from a page of another site; open the viewer's own "
                        "address in a new tab");
   }
-  const bool is_command = request.path == kCommandPath;
+  const bool is_command = request.path == kCommandPath || request.path == kPlanWritePath ||
+                          request.path == kPlanRunPath;
+  const bool is_question = request.path == kPlanPath;
   const bool is_read = request.method == "GET" || request.method == "HEAD";
-  if (is_command && request.method != "POST") return WrongMethod("POST");
-  if (!is_command && !is_read) return WrongMethod("GET, HEAD");
+  const bool has_body = is_command || is_question;
+  if (has_body && request.method != "POST") return WrongMethod("POST");
+  if (!has_body && !is_read) return WrongMethod("GET, HEAD");
   if (is_command) return FindCommandDenial(rules, request);
+  if (is_question && !IsJson(request.content_type)) {
+    return ErrorAnswer(400, "a question is JSON: send it with Content-Type: application/json");
+  }
   // The page's own files are no secret, and a browser asks for them without headers of ours.
   if (rules.reading_needs_token && request.path.starts_with("/api/") &&
       !TokensMatch(rules.token, TokenOf(request))) {

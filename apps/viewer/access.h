@@ -22,6 +22,9 @@ struct AccessRules {
 };
 
 inline constexpr std::string_view kCommandPath = "/api/command";
+inline constexpr std::string_view kPlanPath = "/api/plan";  ///< A question, with a body.
+inline constexpr std::string_view kPlanWritePath = "/api/plan/write";
+inline constexpr std::string_view kPlanRunPath = "/api/plan/run";
 inline constexpr std::string_view kStreamPath = "/api/stream";
 
 /// Returns why `request` is refused, with 400, 403 or 405; nothing: it is allowed. The body is not

@@ -45,9 +45,7 @@ class PartView : public ViewSource {
   }
   std::string EventsJson() override { return part_->EventsJson(); }
   std::string VerdictJson() override { return part_->VerdictJson(); }
-  Result<std::string> Background(size_t number, bool world) override {
-    return part_->Background(number, world);
-  }
+  BackgroundFolder Backgrounds() override { return part_->Backgrounds(); }
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override {
     return part_->LinkJson(from, to, t_s);
   }

@@ -52,6 +52,11 @@ std::shared_ptr<ChannelSource> MissionFollower::channels() const {
   return {now, &now->channels()};
 }
 
+PlanFile MissionFollower::plan_file() const {
+  const RunningMission& running = session()->running();
+  return {.file = running.file, .overrides = running.overrides};
+}
+
 std::string MissionFollower::StatusJson() { return session()->StatusJson(MonotonicMicroseconds()); }
 
 WebAnswer MissionFollower::Command(const CommandWords& words) { return session()->Command(words); }
@@ -71,7 +76,7 @@ int MissionFollower::Run() {
       }
     }
     Show(now_us);
-    usleep(kPause_us);
+    usleep(kPause_us);  // kPause_us has the reason why this is not a wait for messages.
   }
   return kExitOk;
 }

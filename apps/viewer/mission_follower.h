@@ -19,6 +19,7 @@
 #include "apps/viewer/event_hub.h"
 #include "apps/viewer/growing_log.h"
 #include "apps/viewer/mission_session.h"
+#include "apps/viewer/plan_desk.h"
 
 namespace shoal {
 
@@ -40,6 +41,7 @@ class MissionFollower {
   // From any thread:
   std::shared_ptr<ViewSource> source() const;
   std::shared_ptr<ChannelSource> channels() const;
+  PlanFile plan_file() const;
   std::string StatusJson();
   WebAnswer Command(const CommandWords& words);
 

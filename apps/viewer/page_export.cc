@@ -5,8 +5,11 @@
 
 #include <cstdio>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "apps/viewer/page_channels.h"
+#include "apps/viewer/recorded_channels.h"
 #include "lib/base/check/check.h"
 #include "lib/bus/os/replace_file.h"
 #include "lib/tools/page/base64.h"
@@ -142,8 +145,13 @@ int ExportPage(const PageFiles& files, const ExportOptions& options) {
   Result<std::unique_ptr<RecordedView>> view =
       RecordedView::Open(options.log, {.mission_file = options.mission_file, .boot = "page"});
   if (!view.ok()) return Fail(kExitUsage, view.error());
+  RecordedChannels channels(options.log, options.mission_file);
+  PageRecordingOptions recording_options = {.step_s = options.step_s};
+  recording_options.add_more = [&](nlohmann::json* all, std::vector<std::string>* notes) {
+    (*all)["channels"] = ChannelsForPage(channels, (*view)->begin_s(), (*view)->end_s(), {}, notes);
+  };
   const PageRecording recording =
-      RecordForPage(**view, (*view)->begin_s(), (*view)->end_s(), {.step_s = options.step_s});
+      RecordForPage(**view, (*view)->begin_s(), (*view)->end_s(), recording_options);
   const Result<std::string> page = SelfContainedPage(files, recording.json);
   if (!page.ok()) return Fail(kExitUsage, page.error());
   fmt::print("{}: {}, {} frames {:g} s apart, {} fates\n", options.path, SizeText(page->size()),

@@ -169,6 +169,22 @@ Result<BackgroundQuery> ParseBackgroundQuery(const QueryWords& query) {
   return reader.Conclude(background);
 }
 
+Result<TileQuery> ParseTileQuery(const QueryWords& query) {
+  QueryReader reader(query, {"number", "z", "x", "y"});
+  TileQuery asked;
+  constexpr int64_t kMaxPlace = (int64_t{1} << TileName::kMaxZoom) - 1;
+  reader.Number("number", 0, 1000, &asked.number);
+  reader.Number("z", 0, TileName::kMaxZoom, &asked.tile.z);
+  reader.Number("x", int64_t{0}, kMaxPlace, &asked.tile.x);
+  reader.Number("y", int64_t{0}, kMaxPlace, &asked.tile.y);
+  Result<TileQuery> concluded = reader.Conclude(asked);
+  if (concluded.ok() && !IsTile(asked.tile)) {
+    return Error{fmt::format("zoom {} has columns and rows from 0 to {}", asked.tile.z,
+                             (int64_t{1} << asked.tile.z) - 1)};
+  }
+  return concluded;
+}
+
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query) {
   QueryReader reader(query, {"vehicle", "kind", "cause", "blocked", "after", "limit"});
   TimedFateQuery timed;

@@ -8,6 +8,7 @@
 
 #include "apps/viewer/web_request.h"
 #include "lib/base/check/result.h"
+#include "lib/tools/tiles/tile_files.h"
 #include "lib/tools/view/view_source.h"
 
 namespace shoal {
@@ -45,6 +46,11 @@ struct BackgroundQuery {
   bool world = false;  ///< Its world file instead.
 };
 
+struct TileQuery {
+  int number = 0;  ///< Of the mission's backgrounds, from 0.
+  TileName tile;   ///< IsTile() holds.
+};
+
 struct TimedFateQuery {
   FateQuery fates;
   double t_s = kNoTimeGiven_s;
@@ -65,6 +71,7 @@ Result<VehicleQuery> ParseVehicleQuery(const QueryWords& query);
 /// `word`: how the query calls the name, which may be empty unless it `is_required`.
 Result<ChannelQuery> ParseChannelQuery(const QueryWords& query, const char* word, bool is_required);
 Result<BackgroundQuery> ParseBackgroundQuery(const QueryWords& query);
+Result<TileQuery> ParseTileQuery(const QueryWords& query);
 Result<TimedFateQuery> ParseFateQuery(const QueryWords& query);
 
 /// Reads the body of POST /api/command.

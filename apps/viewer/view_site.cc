@@ -5,6 +5,8 @@
 #include <map>
 
 #include "lib/mission/toml/suggest.h"
+#include "lib/tools/view/background_tiles.h"
+#include "lib/tools/view/json_writer.h"
 
 namespace shoal {
 
@@ -21,6 +23,12 @@ WebAnswer Answer(const Result<T>& query, Make make) {
 
 WebAnswer OrNotFound(Result<std::string> json) {
   return json.ok() ? Json(std::move(*json)) : ErrorAnswer(404, json.error());
+}
+
+/// Bytes of a file of the mission; a browser that opens them by itself saves them.
+WebAnswer BytesOrNotFound(Result<std::string> bytes) {
+  if (!bytes.ok()) return ErrorAnswer(404, bytes.error());
+  return {.content_type = "application/octet-stream", .body = std::move(*bytes)};
 }
 
 WebAnswer NoSuchPath(const std::string& path) {
@@ -65,12 +73,29 @@ WebAnswer ViewSite::ReplyOfChannels(const WebRequest& request) {
   });
 }
 
+WebAnswer ViewSite::OutsideJson() const {
+  JsonWriter json;
+  json.BeginObject().Key("tiles");
+  if (parts_.outside_tiles.empty()) {
+    json.Null();
+  } else {
+    json.Text(parts_.outside_tiles);
+  }
+  json.EndObject();
+  return Json(json.Take());
+}
+
 WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
   const std::string& path = request.path;
   const QueryWords& query = request.query;
   if (path == kCommandPath) {
     return Answer(ParseCommandBody(request.body),
                   [&](const CommandWords& words) { return parts_.command(words); });
+  }
+  if (parts_.plan) {
+    if (path == kPlanPath) return parts_.plan->Look(request.body);
+    if (path == kPlanWritePath) return parts_.plan->Write(request.body);
+    if (path == kPlanRunPath) return parts_.plan->Run(request.body);
   }
   const std::shared_ptr<ViewSource> source = parts_.source();
   if (path == "/api/fates") {
@@ -91,11 +116,14 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
   }
   if (path == "/api/background") {
     return Answer(ParseBackgroundQuery(query), [&](const BackgroundQuery& asked) {
-      Result<std::string> bytes =
-          source->Background(static_cast<size_t>(asked.number), asked.world);
-      if (!bytes.ok()) return ErrorAnswer(404, bytes.error());
-      // A browser that opens it by itself saves it.
-      return WebAnswer{.content_type = "application/octet-stream", .body = std::move(*bytes)};
+      return BytesOrNotFound(
+          source->Backgrounds().Read(static_cast<size_t>(asked.number), asked.world));
+    });
+  }
+  if (path == "/api/tile") {
+    return Answer(ParseTileQuery(query), [&](const TileQuery& asked) {
+      return BytesOrNotFound(
+          TileOf(source->Backgrounds(), static_cast<size_t>(asked.number), asked.tile));
     });
   }
   if (path == "/api/vehicle") {
@@ -110,6 +138,7 @@ WebAnswer ViewSite::ReplyWithData(const WebRequest& request) {
     if (path == "/api/setup") {
       return Json(source->SetupJson(MaySendCommands(parts_.access, request)));
     }
+    if (path == "/api/outside") return OutsideJson();
     if (path == "/api/frame") return Json(source->FrameJson(t_s));
     if (path == "/api/trails") return Json(source->TrailsJson());
     if (path == "/api/events") return Json(source->EventsJson());

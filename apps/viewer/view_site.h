@@ -10,6 +10,7 @@
 #include "apps/viewer/access.h"
 #include "apps/viewer/channel_source.h"
 #include "apps/viewer/page_files.h"
+#include "apps/viewer/plan_desk.h"
 #include "apps/viewer/view_request.h"
 #include "apps/viewer/web_server.h"
 #include "lib/tools/view/view_source.h"
@@ -26,6 +27,8 @@ struct ViewSiteParts {
   std::function<std::shared_ptr<ChannelSource>()> channels = {};     ///< The current one.
   std::function<std::string()> status = {};                          ///< Answers /api/status.
   std::function<WebAnswer(const CommandWords& words)> command = {};  ///< Carries out an order.
+  std::shared_ptr<PlanDesk> plan = {};  ///< Of edits of the mission file.
+  std::string outside_tiles = {};       ///< The URL of tiles that the page may load; empty: none.
 };
 
 class ViewSite : public WebSite {
@@ -37,6 +40,7 @@ class ViewSite : public WebSite {
 
  private:
   WebAnswer ReplyWithData(const WebRequest& request);
+  WebAnswer OutsideJson() const;
   WebAnswer ReplyOfChannels(const WebRequest& request);
 
   const ViewSiteParts parts_;

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <filesystem>
+#include <fstream>
 #include <map>
 
 namespace shoal::view_site_test {
@@ -25,10 +28,7 @@ class EchoSource : public ViewSource {
   }
   std::string EventsJson() override { return "events"; }
   std::string VerdictJson() override { return "verdict"; }
-  Result<std::string> Background(size_t number, bool world) override {
-    if (number > 1) return Error{"there is no background 2"};
-    return fmt::format("bytes {} {}", number, world);
-  }
+  BackgroundFolder Backgrounds() override { return backgrounds; }
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double) override {
     return std::string("link ").append(from).append(" ").append(to);
   }
@@ -36,6 +36,8 @@ class EchoSource : public ViewSource {
     if (name != "alpha") return Error{"no such vehicle"};
     return "vehicle " + std::to_string(window_s);
   }
+
+  BackgroundFolder backgrounds = {};
 };
 
 class EchoChannels : public ChannelSource {
@@ -92,11 +94,37 @@ TEST(ViewSite, AnswersAtTheAddressesOfTheProtocol) {
   EXPECT_EQ(Ask(site, "/api/status"), "pages");
   EXPECT_EQ(Ask(site, "/api/events"), "events");
   EXPECT_EQ(Ask(site, "/api/verdict"), "verdict");
-  EXPECT_EQ(Ask(site, "/api/background", {{"number", "1"}, {"world", "1"}}), "bytes 1 true");
+  EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "alpha", "words": []})"), "alpha");
+}
+
+TEST(ViewSite, AnswersWithTheFilesAndTilesOfBackgroundsAlone) {
+  const std::filesystem::path folder = testing::TempDir() + "view_site-" + std::to_string(getpid());
+  std::filesystem::create_directories(folder / "map/3/4");
+  std::ofstream(folder / "bay.png") << "pixels";
+  std::ofstream(folder / "bay.pgw") << "1 0 0 -1 0 0";
+  std::ofstream(folder / "map/3/4/5.png") << "tile";
+  ViewSiteParts parts = Parts(true);
+  const auto source = std::make_shared<EchoSource>();
+  source->backgrounds = {.folder = folder, .files = {"bay.png", "map/"}};
+  parts.source = [source] { return source; };
+  ViewSite site(std::move(parts));
+  EXPECT_EQ(Ask(site, "/api/background", {{"number", "0"}}), "pixels");
+  EXPECT_EQ(Ask(site, "/api/background", {{"number", "0"}, {"world", "1"}}), "1 0 0 -1 0 0");
   EXPECT_EQ(Ask(site, "/api/background", {{"number", "2"}}), "404");
   EXPECT_EQ(Ask(site, "/api/background", {{"number", "-1"}}), "400");
   EXPECT_EQ(Ask(site, "/api/background", {{"file", "/etc/passwd"}}), "400");
-  EXPECT_EQ(Ask(site, "/api/command", {}, R"({"target": "alpha", "words": []})"), "alpha");
+  const auto tile = [&](const char* number, const char* z, const char* x, const char* y) {
+    return Ask(site, "/api/tile", {{"number", number}, {"z", z}, {"x", x}, {"y", y}});
+  };
+  EXPECT_EQ(tile("1", "3", "4", "5"), "tile");
+  EXPECT_EQ(tile("1", "3", "4", "6"), "") << "it does not have this one";
+  EXPECT_EQ(tile("0", "3", "4", "5"), "404") << "it has no tiles";
+  EXPECT_EQ(tile("7", "3", "4", "5"), "404");
+  for (const char* y : {"8", "-1", "../5", "5.png", "1e3", "99999999999999999999"}) {
+    EXPECT_EQ(tile("1", "3", "4", y), "400") << y;
+  }
+  EXPECT_EQ(tile("1", "25", "4", "5"), "400");
+  std::filesystem::remove_all(folder);
 }
 
 TEST(ViewSite, AnswersWhatChannelsCarry) {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <filesystem>
 #include <thread>
 
 #include "apps/viewer/access.h"
@@ -14,13 +15,16 @@
 #include "apps/viewer/growing_log.h"
 #include "apps/viewer/listening_socket.h"
 #include "apps/viewer/mission_follower.h"
+#include "apps/viewer/outside_tiles.h"
 #include "apps/viewer/page_export.h"
 #include "apps/viewer/page_files.h"
 #include "apps/viewer/recorded_channels.h"
 #include "apps/viewer/view_site.h"
 #include "apps/viewer/web_server.h"
 #include "lib/base/check/result.h"
+#include "lib/mission/file/load.h"
 #include "lib/run/run/run_app.h"
+#include "lib/tools/view/planned_view.h"
 
 namespace shoal {
 
@@ -76,7 +80,11 @@ int Serve(const ViewerOptions& options, ViewSiteParts parts, EventHub& hub,
 
   const sigset_t signals = BlockStopSignals();
   ViewSite site(std::move(parts));
-  WebServer server(std::move(*socket), {}, hub, site);
+  WebServerOptions serving_options;
+  if (!options.outside_tiles.empty()) {
+    serving_options.outside_origin = OriginOf(options.outside_tiles);
+  }
+  WebServer server(std::move(*socket), serving_options, hub, site);
   std::thread serving([&] { server.Run(); });
   int exit_code = kExitOk;
   std::thread following;
@@ -97,6 +105,16 @@ int Serve(const ViewerOptions& options, ViewSiteParts parts, EventHub& hub,
   return exit_code;
 }
 
+/// Returns the file of a recorded mission; empty: it is not known.
+std::string MissionFileOf(const ViewerOptions& options) {
+  namespace fs = std::filesystem;
+  if (!options.mission_file.empty()) return options.mission_file;
+  std::error_code error;
+  const fs::path log(options.log);
+  const fs::path file = (fs::is_directory(log, error) ? log : log.parent_path()) / "mission.toml";
+  return fs::is_regular_file(file, error) ? file.string() : "";
+}
+
 int ServeLog(const ViewerOptions& options, ViewSiteParts parts) {
   Result<std::unique_ptr<GrowingLog>> log =
       GrowingLog::Open(options.log, options.mission_file, MonotonicMicroseconds);
@@ -104,6 +122,24 @@ int ServeLog(const ViewerOptions& options, ViewSiteParts parts) {
   parts.source = [&shown = **log] { return shown.source(); };
   parts.channels = [channels = std::make_shared<RecordedChannels>(
                         options.log, options.mission_file)] { return channels; };
+  const std::string mission_file = MissionFileOf(options);
+  parts.plan = std::make_shared<PlanDesk>(options.allow_commands,
+                                          [mission_file] { return PlanFile{mission_file}; });
+  EventHub hub;
+  return Serve(options, std::move(parts), hub, nullptr);
+}
+
+/// Shows a mission before it runs.
+int ServePlan(const ViewerOptions& options, ViewSiteParts parts) {
+  const LoadedMission loaded = LoadMission(options.plan);
+  if (!loaded.errors.empty()) {
+    for (const std::string& error : loaded.errors) fmt::print(stderr, "{}\n", error);
+    return kExitUsage;
+  }
+  const auto view = std::make_shared<PlannedView>(loaded.mission, NewToken());
+  parts.source = [view] { return view; };
+  parts.plan = std::make_shared<PlanDesk>(options.allow_commands,
+                                          [file = options.plan] { return PlanFile{file}; });
   EventHub hub;
   return Serve(options, std::move(parts), hub, nullptr);
 }
@@ -115,6 +151,8 @@ int ServeRunningMission(const ViewerOptions& options, ViewSiteParts parts) {
   parts.is_live = true;
   parts.source = [&follower] { return follower.source(); };
   parts.channels = [&follower] { return follower.channels(); };
+  parts.plan = std::make_shared<PlanDesk>(options.allow_commands,
+                                          [&follower] { return follower.plan_file(); });
   parts.status = [&follower] { return follower.StatusJson(); };
   parts.command = [&follower](const CommandWords& words) { return follower.Command(words); };
   return Serve(options, std::move(parts), hub, &follower);
@@ -141,6 +179,8 @@ int RunViewer(const ViewerOptions& options) {
                                     .path = options.export_path,
                                     .step_s = options.export_step_s});
   }
+  parts.outside_tiles = options.outside_tiles;
+  if (!options.plan.empty()) return ServePlan(options, std::move(parts));
   return options.log.empty() ? ServeRunningMission(options, std::move(parts))
                              : ServeLog(options, std::move(parts));
 }

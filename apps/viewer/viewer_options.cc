@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "apps/viewer/outside_tiles.h"
 #include "lib/base/check/result.h"
 #include "lib/run/command_line/command.h"
 #include "lib/run/run/app_options.h"
@@ -38,16 +39,27 @@ ViewerOptions ParseViewerOptionsOrExit(int argc, char** argv) {
       "--listen", &options.listen,
       "Address to be reached at, 0.0.0.0: all of this machine; beyond loopback the page "
       "needs the token that is printed (default: 127.0.0.1)");
-  const Option commands = program.AddFlag(
-      "--allow-commands", &options.allow_commands,
-      "Allow commands to vehicles, broker and clock, with the token that is printed");
+  program.AddFlag("--allow-commands", &options.allow_commands,
+                  "Allow commands to vehicles, broker and clock, and edited missions to be written "
+                  "and run, with the token that is printed");
+  program
+      .AddOption(
+          "--allow-tiles", &options.outside_tiles,
+          "Let the page load tiles of a map from this address, https://HOST/{z}/{x}/{y}.png; "
+          "without it, it loads nothing from outside")
+      .Check([](const std::string& text) { return OutsideTilesProblem(text); });
   program.AddOption("--web", &options.web_folder, "Folder of the page, for those who work on it");
   const Option log =
       program.AddOption("--log", &options.log,
                         "Show this recorded mission: a log, or the folder of `shoal run --record`");
-  log.Excludes(port).Excludes(commands).Check([](const std::string& text) {
+  log.Excludes(port).Check([](const std::string& text) {
     return text.empty() ? "it is empty: name a log, or the folder of a recording" : "";
   });
+  program
+      .AddOption("--plan", &options.plan,
+                 "Show this mission file before it runs, to plan it on the map")
+      .Excludes(port)
+      .Excludes(log);
   program
       .AddOption("--mission", &options.mission_file,
                  "Mission file of the log (default: mission.toml beside it)")

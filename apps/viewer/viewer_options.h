@@ -11,7 +11,9 @@ struct ViewerOptions {
   std::optional<int> http_port;  ///< Absent: the first free one from kFirstHttpPort on.
   std::string listen = "127.0.0.1";
   bool allow_commands = false;
-  std::string web_folder;   ///< Empty: the page as it was built in.
+  std::string plan;           ///< A mission file that is shown before it runs; empty: none.
+  std::string outside_tiles;  ///< OutsideTilesProblem() is empty; empty: none.
+  std::string web_folder;     ///< Empty: the page as it was built in.
   std::string log;          ///< A recorded mission: its log, or the folder of `shoal run --record`.
   std::string export_path;  ///< Of the page to write of `log`; empty: serve it.
   double export_step_s = 0;  ///< Between its frames; 0: chosen by the length.

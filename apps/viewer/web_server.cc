@@ -14,19 +14,21 @@ namespace {
 
 constexpr size_t kMaxRequestsPerConnection = 1'000;
 
-const httplib::Headers& SafetyHeaders() {
+/// `outside_origin`: WebServerOptions has the meaning.
+httplib::Headers SafetyHeaders(const std::string& outside_origin) {
   // The page has everything it needs from this server; scripts of other sources do not
   // run, and no other site can frame it.
-  static const httplib::Headers headers = {
-      {"Content-Security-Policy",
-       "default-src 'self'; img-src 'self' blob: data:; style-src 'self'; "
-       "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"},
+  std::string policy =
+      "default-src 'self'; img-src 'self' blob: data:; style-src 'self'; "
+      "object-src 'none'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+  if (!outside_origin.empty()) policy += "; connect-src 'self' " + outside_origin;
+  return {
+      {"Content-Security-Policy", std::move(policy)},
       {"X-Content-Type-Options", "nosniff"},
       {"X-Frame-Options", "DENY"},
       {"Referrer-Policy", "no-referrer"},
       {"Cross-Origin-Resource-Policy", "same-origin"},
   };
-  return headers;
 }
 
 /// The whole answer to bytes that are not a request.
@@ -38,7 +40,8 @@ std::string RefusalText(int status, const std::string& message) {
   if (status == 405) text += "Allow: GET, HEAD, POST\r\n";
   if (status == 503) text += "Retry-After: 2\r\n";
   text += "Cache-Control: no-store\r\nConnection: close\r\n";
-  for (const auto& [name, value] : SafetyHeaders()) text += fmt::format("{}: {}\r\n", name, value);
+  for (const auto& [name, value] : SafetyHeaders(""))
+    text += fmt::format("{}: {}\r\n", name, value);
   return text + "\r\n" + body;
 }
 
@@ -80,7 +83,7 @@ class WebServer::Http : public httplib::Server {
   Http(int listening_fd, const WebServerOptions& options, EventHub& hub, WebSite& site)
       : options_(options), hub_(hub), site_(site) {
     svr_sock_ = listening_fd;  // Else cpp-httplib ends streams.
-    set_default_headers(SafetyHeaders());
+    set_default_headers(SafetyHeaders(options.outside_origin));
     set_payload_max_length(kMaxBodyBytes);
     set_keep_alive_max_count(kMaxRequestsPerConnection);
     set_keep_alive_timeout(
@@ -97,10 +100,11 @@ class WebServer::Http : public httplib::Server {
       Fill(site_.Reply(asked), response);
       return HandlerResponse::Handled;
     });
-    Post(std::string(kCommandPath),
-         [this](const httplib::Request& request, httplib::Response& response) {
-           Fill(site_.Reply(RequestOf(request)), response);
-         });
+    for (const std::string_view path : {kCommandPath, kPlanPath, kPlanWritePath, kPlanRunPath}) {
+      Post(std::string(path), [this](const httplib::Request& request, httplib::Response& response) {
+        Fill(site_.Reply(RequestOf(request)), response);
+      });
+    }
     set_error_handler([](const httplib::Request&, httplib::Response& response) {
       if (!response.body.empty()) return;
       const WebAnswer answer = ErrorAnswer(response.status, "this request cannot be understood");

@@ -35,6 +35,7 @@ struct WebServerOptions {
   int most_streams = 200;  ///< So that room is left for requests.
   Patience patience;
   std::chrono::milliseconds heartbeat{1'000};  ///< Of streams without news.
+  std::string outside_origin = {};  ///< Another server that pages may ask: "https://HOST".
 };
 
 class WebServer {

@@ -21,7 +21,9 @@ namespace shoal {
 
 inline constexpr const char* kTestToken = "0123456789abcdef0123456789abcdef";
 
-/// Waits until `holds`, for a time that a busy machine may need.
+/// Waits until `holds`, for a time that a busy machine may need. It looks again and again: what is
+/// awaited are counters of a server with threads of its own and sockets that were never asked for
+/// news, and none of them wakes a waiting test. No test depends on the time between two looks.
 inline bool Await(const std::function<bool()>& holds, double patience_s = 30 * kPatienceFactor) {
   const auto deadline =
       std::chrono::steady_clock::now() + std::chrono::duration<double>(patience_s);

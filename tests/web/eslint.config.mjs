@@ -9,7 +9,7 @@ const browser = known([
   'AbortController', 'AbortSignal', 'Blob', 'CSS', 'DecompressionStream', 'Element', 'Event',
   'EventSource', 'File',
   'HTMLElement', 'Image', 'ImageData', 'MediaRecorder', 'MutationObserver', 'Node', 'Path2D',
-  'ResizeObserver', 'Response', 'SharedWorker', 'URL', 'URLSearchParams', 'addEventListener', 'atob', 'cancelAnimationFrame',
+  'ResizeObserver', 'Response', 'SharedWorker', 'TextDecoder', 'URL', 'URLSearchParams', 'addEventListener', 'atob', 'cancelAnimationFrame',
   'clearInterval', 'clearTimeout', 'console', 'createImageBitmap', 'devicePixelRatio', 'document',
   'fetch', 'getComputedStyle', 'history', 'location', 'matchMedia', 'navigator', 'performance',
   'removeEventListener', 'requestAnimationFrame', 'self', 'sessionStorage', 'setInterval',

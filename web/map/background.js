@@ -1,18 +1,25 @@
-// What a user drops onto the page to lie under the mission: coast lines and areas (GeoJSON), a chart
-// (GeoTIFF; PNG, JPEG or WebP with its world file). Nothing of it leaves the page.
+// What lies under the mission: coast lines and areas (GeoJSON), a chart (GeoTIFF; PNG, JPEG or WebP
+// with its world file), raster tiles (MBTiles, or a folder of them). Nothing of it leaves the page.
 //
 // Files may hold anything: sizes and counts are bounded, texts are never markup, and an image is
 // drawn as pixels alone.
 
-import {isNumber} from './geometry.js';
+import {bearingDegrees, isNumber} from './geometry.js';
 import {readGeoTiff} from './geotiff.js';
+import {drawGroundImage, groundImage, placeInBox} from './ground_image.js';
+import {decodeImage} from './image_file.js';
+import {readMbtiles, tilesOfFiles} from './mbtiles.js';
+import {TileLayer} from './tiles.js';
 
 const kMaxBytes = 64e6;
 const kMaxPoints = 1_000_000;
 const kMaxShapes = 100_000;
 const kMaxDepth = 8;
-const kMaxPixels = 64e6;
+const kMaxTiles_bytes = 512e6;  // Of an MBTiles file.
 const kMaxBackgrounds = 20;
+// Beside the mission by more than this, and by more than five times its extent: named to the user.
+const kFar_m = 20_000;
+const kFarExtents = 5;
 // Of a line, on the screen: what is nearer than this to the last point is left out.
 const kLeastStep_px = 1;
 
@@ -86,9 +93,8 @@ export function cornersOf(text, width, height, frame) {
   const [dx, turn, turn2, dy, x, y] = numbers;
   if (turn !== 0 || turn2 !== 0 || !(dx > 0) || !(dy < 0)) return null;
   // x and y are of the middle of the upper left pixel.
-  const box = {left: x - dx / 2, top: y - dy / 2};
-  box.right = box.left + dx * width;
-  box.bottom = box.top + dy * height;
+  const [left, top] = [x - dx / 2, y - dy / 2];
+  const box = {left, top, right: left + dx * width, bottom: top + dy * height};
   const isGeo = Math.abs(box.left) <= 180 && Math.abs(box.right) <= 180
       && Math.abs(box.top) <= 90 && Math.abs(box.bottom) <= 90 && dx < 0.1;
   if (!isGeo) return box;
@@ -99,87 +105,178 @@ export function cornersOf(text, width, height, frame) {
 const kImage = /\.(png|jpe?g|webp)$/i;
 const kTiff = /\.tiff?$/i;
 const kWorld = /\.(pgw|jgw|wld|pngw|jpgw|wpw)$/i;
+const kTiles = /\.mbtiles$/i;
 const stem = (name) => name.replace(/\.[^.]*$/, '').toLowerCase();
 
+const kWinds = ['north', 'north-east', 'east', 'south-east', 'south', 'south-west', 'west',
+  'north-west'];
+
+/** Returns "312 km north-east of the mission" where `box` lies far from it; else "". */
+export function farWords(box, mission) {
+  if (!box || !mission) return '';
+  const dx = Math.max(0, box.left - mission.right) - Math.max(0, mission.left - box.right);
+  const dy = Math.max(0, box.bottom - mission.top) - Math.max(0, mission.bottom - box.top);
+  const extent = Math.max(mission.right - mission.left, mission.top - mission.bottom);
+  const away = Math.hypot(dx, dy);
+  if (!(away > Math.max(kFar_m, kFarExtents * extent))) return '';
+  const wind = kWinds[Math.round(bearingDegrees(dx, dy) / 45) % 8];
+  return `${Math.round(away / 1000)} km ${wind} of the mission`;
+}
+
+function boxAround(boxes) {
+  return {left: Math.min(...boxes.map((box) => box.left)),
+    right: Math.max(...boxes.map((box) => box.right)),
+    bottom: Math.min(...boxes.map((box) => box.bottom)),
+    top: Math.max(...boxes.map((box) => box.top))};
+}
+
+/**
+ * @typedef {object} Background  one of what lies under the mission
+ * @property {string} name
+ * @property {any[]} [shapes]
+ * @property {any} [ground]   an image with its cells: ground_image.js
+ * @property {TileLayer} [layer]
+ */
+
 export class Backgrounds {
-  all = [];      // {name, shapes} or {name, image, box}
+  /** @type {Background[]} */
+  all = [];
   version = 0;   // Changes with what is drawn.
+  /** @type {((words: string) => void) | null} Is given texts that come later. */
+  onProblem = null;
 
   clear() {
+    for (const {layer, ground} of this.all) {
+      layer?.close();
+      ground?.image.close?.();
+    }
     this.all = [];
     this.version += 1;
   }
 
   /**
-   * Takes files. An image without a world file goes to `view`, which has left, right, bottom and
-   * top. Returns texts for the user, one for each file that needs one.
+   * Takes files. An image that does not state its place goes to `view`, which has left, right,
+   * bottom and top. Returns texts for the user, one for each file that needs one.
+   * @param mission  the box of the mission; null: not known
    */
-  async take(files, frame, view) {
+  async take(files, frame, view, mission = null) {
     const words = [];
+    const inFolder = (file) => /[\\/]/.test(file.path ?? file.webkitRelativePath ?? '');
+    const tiles = tilesOfFiles(files.filter(inFolder));
+    if (tiles) words.push(this.addTiles(folderOf(files), tiles, frame, mission));
     const worlds = new Map();
     for (const file of files) if (kWorld.test(file.name)) worlds.set(stem(file.name), file);
     for (const file of files) {
-      if (kWorld.test(file.name)) continue;
+      if (kWorld.test(file.name) || (tiles && inFolder(file))) continue;
+      const most = kTiles.test(file.name) ? kMaxTiles_bytes : kMaxBytes;
       if (this.all.length >= kMaxBackgrounds) {
-        words.push(`${file.name}: there are ${kMaxBackgrounds} backgrounds already`);
-      } else if (file.size > kMaxBytes) {
-        words.push(`${file.name}: larger than ${kMaxBytes / 1e6} MB`);
+        words.push(`${file.name}: there are ${kMaxBackgrounds} backgrounds already; remove some`);
+      } else if (file.size > most) {
+        words.push(`${file.name}: larger than ${most / 1e6} MB; make it smaller`);
       } else {
-        words.push(await (kImage.test(file.name)
-          ? this.#takeImage(file, worlds.get(stem(file.name)), frame, view)
-          : kTiff.test(file.name) ? this.#takeTiff(file, frame, view)
-            : this.#takeShapes(file, frame)));
+        try {
+          words.push(await this.#takeOne(file, worlds.get(stem(file.name)), {frame, view, mission}));
+        } catch (error) {
+          words.push(`${file.name}: ${error.message}`);
+        }
       }
     }
     this.version += 1;
     return words.filter(Boolean);
   }
 
-  async #takeShapes(file, frame) {
+  /** Puts tiles under the rest; returns a text for the user, or "". */
+  addTiles(name, source, frame, mission = null) {
+    const layer = new TileLayer(source, frame, () => {
+      this.version += 1;
+      if (layer.problem !== '' && !layer.isProblemTold) {
+        layer.isProblemTold = true;
+        this.onProblem?.(`${name}: some tiles are missing: ${layer.problem}`);
+      }
+    });
+    this.all.push({name, layer});
+    this.version += 1;
+    return this.#far(name, layer.box, mission);
+  }
+
+  #takeOne(file, world, where) {
+    if (kImage.test(file.name)) return this.#takeImage(file, world, where);
+    if (kTiff.test(file.name)) return this.#takeTiff(file, where);
+    if (kTiles.test(file.name)) return this.#takeTiles(file, where);
+    return this.#takeShapes(file, where);
+  }
+
+  async #takeTiles(file, {frame, mission}) {
+    return this.addTiles(file.name, readMbtiles(await file.arrayBuffer()), frame, mission);
+  }
+
+  #far(name, box, mission) {
+    const words = farWords(box, mission);
+    return words === '' ? ''
+      : `${name}: it lies ${words}: is its place, or the mission's origin, wrong?`;
+  }
+
+  async #takeShapes(file, {frame, mission}) {
     let json = null;
     try {
       json = JSON.parse(await file.text());
     } catch {
-      return `${file.name}: neither GeoJSON nor an image (GeoTIFF, PNG, JPEG, WebP)`;
+      return `${file.name}: neither GeoJSON nor an image (GeoTIFF, PNG, JPEG, WebP) nor MBTiles`;
     }
     const {shapes, num_left_out: more} = shapesOf(json, frame);
     if (shapes.length === 0) {
-      return `${file.name}: no coast line or area of it is within 2,000 km of the mission's origin`;
+      return `${file.name}: no coast line or area of it is within 1,500 km of the mission's origin; `
+          + 'GeoJSON has longitude before latitude';
     }
     this.all.push({name: file.name, shapes});
-    return more > 0 ? `${file.name}: ${more} of its shapes are left out, it has too many points` : '';
+    if (more > 0) {
+      return `${file.name}: ${more} of its shapes are left out, it has more than a million points; `
+          + 'cut it to the mission\'s area';
+    }
+    return this.#far(file.name, boxAround(nearestShapes(shapes, mission)), mission);
   }
 
-  async #takeTiff(file, frame, view) {
-    try {
-      const {width, height, rgba, box} = await readGeoTiff(await file.arrayBuffer(), frame);
-      const image = await createImageBitmap(new ImageData(rgba, width, height));
-      this.all.push({name: file.name, image, box: box ?? fitted(image, view)});
-      return box ? '' : `${file.name}: it does not state where it lies, and is put into the view`;
-    } catch (error) {
-      return `${file.name}: ${error.message}`;
-    }
+  async #takeTiff(file, {frame, view, mission}) {
+    const {width, height, rgba, place, box} = await readGeoTiff(await file.arrayBuffer(), frame);
+    const image = await createImageBitmap(new ImageData(rgba, width, height));
+    this.#lay(file.name, image, place, view);
+    return box ? this.#far(file.name, box, mission)
+      : `${file.name}: it does not state where it lies, and is put into the view`;
   }
 
-  async #takeImage(file, world, frame, view) {
-    let image = null;
-    try {
-      image = await createImageBitmap(file);
-    } catch {
-      return `${file.name}: not an image that the browser can read`;
-    }
-    if (image.width * image.height > kMaxPixels) {
-      image.close();
-      return `${file.name}: more than ${kMaxPixels / 1e6} million pixels`;
-    }
+  async #takeImage(file, world, {frame, view, mission}) {
+    const image = await decodeImage(file);
     const box = world && world.size < 10_000
       ? cornersOf(await world.text(), image.width, image.height, frame) : null;
-    this.all.push({name: file.name, image, box: box ?? fitted(image, view)});
+    this.#lay(file.name, image, box ? placeInBox(image, box) : null, view);
     if (world && !box) {
-      return `${file.name}: its world file has no six numbers without rotation; it is put into the view`;
+      return `${file.name}: its world file ${world.name} has no six numbers without rotation; it is `
+          + 'put into the view';
     }
-    return box ? '' : `${file.name}: it has no world file, and is put into the view`;
+    return box ? this.#far(file.name, box, mission)
+      : `${file.name}: it has no world file (${stem(file.name)}.pgw), and is put into the view`;
   }
+
+  #lay(name, image, place, view) {
+    const ground = groundImage(image, place ?? placeInBox(image, fitted(image, view)));
+    if (!ground) {
+      throw new Error('it reaches more than 1,500 km from the mission\'s origin; cut it to the '
+          + 'mission\'s area');
+    }
+    this.all.push({name, ground});
+  }
+}
+
+const folderOf = (files) => (
+  String(files[0]?.path ?? files[0]?.webkitRelativePath ?? '').split('/').find(Boolean) ?? 'tiles');
+
+// Of a coast, the shape that comes nearest tells whether all of it lies elsewhere.
+function nearestShapes(shapes, mission) {
+  if (!mission) return [shapes[0].box];
+  const away = ({box}) => Math.hypot(
+    Math.max(0, box.left - mission.right, mission.left - box.right),
+    Math.max(0, box.bottom - mission.top, mission.bottom - box.top));
+  return [shapes.reduce((nearest, shape) => (away(shape) < away(nearest) ? shape : nearest)).box];
 }
 
 // As large as fits into the view, its sides in proportion.
@@ -190,15 +287,11 @@ function fitted(image, {left, right, bottom, top}) {
   return {left: x - half, right: x + half, bottom: y - tall, top: y + tall};
 }
 
-/** Draws images first, then areas and lines. */
+/** Draws tiles first, then images, then areas and lines. */
 export function drawBackgrounds(ctx, camera, theme, backgrounds) {
   ctx.setLineDash([]);
-  for (const {image, box} of backgrounds) {
-    if (!image) continue;
-    const [x, y] = [camera.sx(box.left), camera.sy(box.top)];
-    ctx.imageSmoothingEnabled = true;
-    ctx.drawImage(image, x, y, camera.sx(box.right) - x, camera.sy(box.bottom) - y);
-  }
+  for (const {layer} of backgrounds) layer?.draw(ctx, camera);
+  for (const {ground} of backgrounds) if (ground) drawGroundImage(ctx, camera, ground);
   ctx.lineWidth = 1.2;
   for (const {shapes} of backgrounds) {
     for (const shape of shapes ?? []) drawShape(ctx, camera, theme, shape);

@@ -11,6 +11,7 @@ import {drawSwaths, drawTrailEnds, drawTrails} from './draw_trails.js';
 import {drawBelieved, drawReported, drawVehicles} from './draw_vehicles.js';
 import {isNumber} from './geometry.js';
 import {MapLayer, Motion} from './map_layer.js';
+import {placesOf, PresentPlan} from './present_plan.js';
 import {acousticKinds} from './world.js';
 
 // The picture of the trails is drawn again so often, for their fading.
@@ -25,18 +26,6 @@ const kFewPulses = 40;
 
 function arrayOr(value) {
   return Array.isArray(value) ? value : [];
-}
-
-// Those of [[x, y], ...] that are places.
-function placesOf(points) {
-  return arrayOr(points).filter((point) => isNumber(point?.[0]) && isNumber(point?.[1]));
-}
-
-// All tasks and behaviors of a vehicle that are about a place.
-function planOf(vehicle) {
-  return [...arrayOr(vehicle?.behaviors), ...arrayOr(vehicle?.tasks)]
-      .filter((part) => typeof part?.name === 'string')
-      .map((part) => ({...part, points: placesOf(part.points), area: placesOf(part.area)}));
 }
 
 /** Returns what the setup has to be covered: [{width_m, vehicles: Set}]. */
@@ -70,7 +59,7 @@ export class MapPainter {
   #obstacles = [];
   #coverage = [];
   #floor = null;
-  #planOf = new Map();
+  #plan = new PresentPlan(null);
   #kept = [];
   #version = 0;   // Of the setup and the choice of layers.
   #ground = new MapLayer({opaque: true});
@@ -95,16 +84,18 @@ export class MapPainter {
       {id: String(id), polygon: placesOf(polygon)}));
     this.#coverage = coverageOf(setup);
     this.#floor = setup?.floor ? new FloorPicture(setup.floor) : null;
-    this.#planOf = new Map(
-        arrayOr(setup?.vehicles).map((vehicle) => [vehicle?.name, planOf(vehicle)]));
+    this.#plan = new PresentPlan(setup);
     // What is to be seen beside a label: obstacles and loiters.
     this.#kept = [...this.#obstacles.map(({polygon}) => polygon),
-      ...[...this.#planOf.values()].flat().filter(({closed}) => closed).map(({points}) => points)]
+      ...[...this.#plan.at(-Infinity).values()].flat().filter(({closed}) => closed).map(({points}) => points)]
         .filter((points) => points.length > 2 && points.length < 1000).slice(0, 500);
     this.#trailStamp.version = -1;
     this.#swathStamp.version = -1;
     this.changed();
   }
+
+  /** Takes the mission's events: updates move the plan. */
+  setEvents(events) { this.#plan.setEvents(events); }
 
   /** To be called when other layers are to be seen. */
   changed() { ++this.#version; }
@@ -129,7 +120,7 @@ export class MapPainter {
       if (layers.tasks) this.#paintTasks(ctx, view, shown, nowMs);
       if (layers.trails) this.#paintTrails(ctx, view, shown, nowMs);
       if (layers.drawings) {
-        drawDrawings(ctx, camera, theme, this.#drawingsOf(this.#world.frame));
+        drawDrawings(ctx, camera, theme, this.drawingsOf(this.#world.frame));
       }
       if (layers.ranges) {
         drawRanges(ctx, camera, theme, vehicles, this.#world.rules, view.selected);
@@ -153,7 +144,8 @@ export class MapPainter {
     drawNorth(ctx, camera, theme);
   }
 
-  #drawingsOf(frame) {
+  /** The drawings of programs in a frame. */
+  drawingsOf(frame) {
     if (this.#drawingsFor !== frame) {
       this.#drawingsFor = frame;
       this.#drawings = tidyDrawings(frame?.drawings);
@@ -202,8 +194,9 @@ export class MapPainter {
       this.#tasksKey = tasksKey(vehicles, selected, t);
       this.#tasksFor = selected;
     }
-    this.#show(this.#tasks, ctx, view, this.#tasksKey, nowMs, (to, wide) =>
-      drawTasks(to, wide, view.theme, vehicles, this.#planOf, selected, t));
+    const plan = this.#plan.at(t);
+    this.#show(this.#tasks, ctx, view, `${this.#plan.version} ${this.#tasksKey}`, nowMs, (to, wide) =>
+      drawTasks(to, wide, view.theme, vehicles, plan, selected, t));
   }
 
   // A picture of trails is drawn again where they were changed, where time has gone back, and when

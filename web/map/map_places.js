@@ -6,6 +6,11 @@ const kLeastExtent_m = 60;
 // A vehicle that went no farther than this from where it began has stayed there, and drifts.
 const kMoved_m = 25;
 
+// Drawings of programs count up to so far beside the rest.
+const kDrawn_m = 1000;
+const kDrawnExtents = 5;
+const kReach_m = 1e6;
+
 const listOf = (value) => (Array.isArray(value) ? value : []);
 
 class Box {
@@ -41,6 +46,21 @@ function hasPlan(vehicle) {
     listOf(part?.points).length > 0 || listOf(part?.area).length > 0);
 }
 
+// A drawing may lie anywhere, by a mistake of its program too: one that is far beside all else does
+// not make that small.
+function addDrawings(box, drawings) {
+  const margin = box.isEmpty ? kReach_m : Math.max(kDrawn_m, kDrawnExtents * box.extent_m);
+  for (const {points, radius} of drawings) {
+    const own = new Box();
+    own.addPoints(points, Math.max(0, radius || 0));
+    const isNear = box.isEmpty ? own.extent_m <= kReach_m
+      : box.isNear(own.left, own.bottom, margin) && box.isNear(own.right, own.top, margin);
+    if (own.isEmpty || !isNear) continue;
+    box.add(own.left, own.bottom);
+    box.add(own.right, own.top);
+  }
+}
+
 /**
  * Returns {left, right, bottom, top} around what is planned and what has moved, or null. A vehicle
  * without a plan that stays where it began counts only where it lies no farther beside the others
@@ -48,8 +68,9 @@ function hasPlan(vehicle) {
  * @param setup  of the mission
  * @param vehicles  of the frame
  * @param {(name: string) => any} trailOf  returns x, y and count: where a vehicle was; or null
+ * @param drawings  of programs, as tidyDrawings (draw_drawings.js) returns them
  */
-export function placesToFit(setup, vehicles, trailOf = () => null) {
+export function placesToFit(setup, vehicles, trailOf = () => null, drawings = []) {
   const box = new Box();
   box.addPoints(setup?.op_area);
   for (const obstacle of listOf(setup?.obstacles)) box.addPoints(obstacle?.polygon);
@@ -79,6 +100,7 @@ export function placesToFit(setup, vehicles, trailOf = () => null) {
     box.add(own.left, own.bottom);
     box.add(own.right, own.top);
   }
+  addDrawings(box, drawings);
   if (box.isEmpty) return null;
   const missing_m = Math.max(0, kLeastExtent_m - box.extent_m);
   const {left, right, bottom, top} = box;

@@ -46,6 +46,10 @@ export class MapView {
   #wantFit = true;    // Until a view was asked for, the whole mission is shown.
   #fitted = null;     // The view after the last fit().
   #painter = new MapPainter();
+  /** @type {import('../plan/plan_layer.js').PlanLayer | null} */
+  #planLayer = null;
+  #missionEvents = [];
+  #isPlanned = false;  // Another plan than the mission's is drawn.
   /** Title and time are drawn, as in a picture that is saved. */
   titled = false;
 
@@ -69,7 +73,10 @@ export class MapView {
         this.#events.onPointer?.(null);
       },
       press: (sx, sy) => this.#press(sx, sy),
-      dragged: (sx, sy) => this.#moveEnd(sx, sy),
+      dragged: (sx, sy) => {
+        if (this.#measuring) this.#moveEnd(sx, sy);
+        else this.#planLayer?.dragged(this.#camera, sx, sy);
+      },
       released: (sx, sy, moved) => this.#release(sx, sy, moved),
     });
     new MutationObserver(() => this.#theme = null)
@@ -81,7 +88,20 @@ export class MapView {
     this.#setup = setup ?? world?.setup ?? null;
     this.#frame = new LocalFrame(this.#setup?.origin);
     this.#painter.setWorld(world, this.#setup);
+    this.#missionEvents = [];
+    this.#isPlanned = false;
     this.#shown = {t: 0, vehicles: []};
+  }
+
+  /** Puts what can be moved of a plan above all else. */
+  setPlanLayer(layer) { this.#planLayer = layer; }
+
+  /** Draws another plan than that of the mission: of a setup with vehicles; null: the mission's. */
+  setPlan(setup) {
+    const {vehicles, obstacles, op_area} = setup ?? this.#setup ?? {};
+    this.#painter.setWorld(this.#world, {...this.#setup, vehicles, obstacles, op_area});
+    this.#isPlanned = setup !== null;
+    this.#painter.setEvents(this.#isPlanned ? [] : this.#missionEvents);
   }
 
   /** {cx, cy, metresPerPixel, follow, layers, pulseStyle}; setting takes what it is given of these. */
@@ -116,6 +136,12 @@ export class MapView {
   /** Vehicles as they were last drawn: those of World.at. */
   get shown() { return this.#shown; }
 
+  /** Takes the mission's events: updates move the plan. */
+  setEvents(events) {
+    this.#missionEvents = events;
+    if (!this.#isPlanned) this.#painter.setEvents(events);
+  }
+
   select(name) { this.#selected = name || null; }
 
   /** The link whose pulses stand out, {from, to}, or null. */
@@ -127,7 +153,20 @@ export class MapView {
   /** Puts files under the mission; returns texts for the user. */
   async addBackgrounds(files) {
     const {left, right, bottom, top} = this.#camera;
-    return this.#painter.backgrounds.take([...files], this.#frame, {left, right, bottom, top});
+    return this.#painter.backgrounds.take([...files], this.#frame, {left, right, bottom, top},
+      this.#missionBox());
+  }
+
+  /** Puts tiles under the mission (tiles.js has the source); returns a text for the user, or "". */
+  addTiles(name, source) {
+    return this.#painter.backgrounds.addTiles(name, source, this.#frame, this.#missionBox());
+  }
+
+  /** Is given texts about backgrounds that come later: tiles that cannot be had. */
+  set onBackgroundProblem(listener) { this.#painter.backgrounds.onProblem = listener; }
+
+  #missionBox() {
+    return placesToFit(this.#setup, [], () => null);
   }
 
   removeBackgrounds() { this.#painter.backgrounds.clear(); }
@@ -136,8 +175,9 @@ export class MapView {
   /** Shows the whole mission. */
   fit() {
     this.#follow = null;
+    const drawings = this.#layers.drawings ? this.#painter.drawingsOf(this.#world?.frame) : [];
     const box = placesToFit(this.#setup, this.#shown.vehicles,
-        (name) => this.#world?.trail(name, Infinity));
+        (name) => this.#world?.trail(name, Infinity), drawings);
     if (box) this.#camera.fit(box.left, box.bottom, box.right, box.top);
     this.#fitted = {...this.view, trails: this.#world?.trailsVersion};
     this.#tellView();
@@ -195,6 +235,7 @@ export class MapView {
     if (followed && followed.x !== null) this.#camera.set(followed.x, followed.y);
     this.#ctx.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     this.#paint(this.#ctx, nowMs);
+    this.#planLayer?.draw(this.#ctx, this.#camera, this.#theme);
     if (this.titled) this.#paintTitle(this.#ctx);
   }
 
@@ -274,6 +315,7 @@ export class MapView {
   }
 
   #hover(sx, sy) {
+    this.#planLayer?.hover(this.#camera, sx, sy);
     this.#setHovered(this.#vehicleAt(sx, sy));
     if (this.#measuring && this.#ends.length === 2 && this.#open) this.#moveEnd(sx, sy);
     this.#events.onPointer?.(this.#placeAt(sx, sy));
@@ -287,7 +329,7 @@ export class MapView {
 
   // A measured line is open from the first click or press until the second click or the release.
   #press(sx, sy) {
-    if (!this.#measuring) return false;
+    if (!this.#measuring) return this.#planLayer?.press(this.#camera, sx, sy) ?? false;
     if (!this.#open) {
       this.#ends = [this.#placeAt(sx, sy), this.#placeAt(sx, sy)];
       this.#open = 'pressed';
@@ -303,6 +345,10 @@ export class MapView {
   }
 
   #release(sx, sy, moved) {
+    if (!this.#measuring) {
+      this.#planLayer?.released(this.#camera, sx, sy, moved);
+      return;
+    }
     this.#moveEnd(sx, sy);
     this.#open = this.#open === 'pressed' && !moved ? 'clicked' : false;
   }

@@ -82,7 +82,7 @@ export class World {
 
   constructor(setup) {
     this.#setup = setup ?? {};
-    this.#recorded = this.#setup.mode === 'recorded';
+    this.#recorded = ['recorded', 'planned'].includes(this.#setup.mode);
   }
 
   get setup() { return this.#setup; }

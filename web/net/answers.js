@@ -38,6 +38,9 @@ export function tidyFrame(frame) {
   };
 }
 
+/** The protocol that this page was made for (docs/viewer_protocol.md). */
+export const kProtocol = 2;
+
 /** A setup with vehicles that have names, notes and the ends of its time. */
 export function tidySetup(setup) {
   const known = isObject(setup) ? setup : {};
@@ -50,7 +53,13 @@ export function tidySetup(setup) {
     vehicles: named(known.vehicles),
     causes: arrayOf(known.causes).filter((row) => isObject(row) && typeof row.key === 'string'),
     rules: arrayOf(known.rules).filter((row) => isObject(row) && typeof row.rule === 'string'),
-    notes: arrayOf(known.notes).filter((note) => typeof note === 'string'),
+    notes: [
+      ...(known.protocol === kProtocol || !Number.isInteger(known.protocol) ? []
+        : [`the viewer has protocol ${known.protocol}, this page ${kProtocol}: reload the page, or `
+          + 'update the older of the two']),
+      ...arrayOf(known.notes).filter((note) => typeof note === 'string'),
+    ],
+    backgrounds: arrayOf(known.backgrounds).filter((each) => typeof each?.file === 'string'),
   };
 }
 

@@ -1,6 +1,7 @@
 // A recorded mission that lies in the page itself (lib/tools/view/page_recording.h): answers what a
 // viewer would (docs/extending/viewer_protocol.md), without one.
 
+import {PageChannels} from './page_channels.js';
 import {RequestError} from './requests.js';
 
 const kCheckpointEvery = 32;
@@ -135,7 +136,12 @@ export class PageRecording {
     this.received = new Set((data.setup?.causes ?? [])
       .filter(({outcome}) => outcome === 'whole' || outcome === 'damaged').map(({key}) => key));
     this.charts = new Map();
+    const channels = new PageChannels(data.channels);
     this.answers = {
+      '/api/channels': (query) => channels.channels(this.#time(query)),
+      '/api/message': (query) => channels.message(query.channel, this.#time(query)),
+      '/api/fields': (query) => channels.fields(query.text),
+      '/api/series': (query) => channels.series(query.field, this.#time(query), Number(query.window ?? 120)),
       '/api/setup': () => data.setup,
       '/api/trails': () => data.trails,
       '/api/events': () => data.events,
@@ -155,8 +161,17 @@ export class PageRecording {
     return answer(query);
   }
 
-  async post() {
-    throw new RequestError('a recorded mission takes no commands', 404);
+  /** Answers with the bytes of a background that the page holds. */
+  async bytes(path, query) {
+    const held = path === '/api/background' ? this.data.backgrounds?.[Number(query.number)] : null;
+    const base64 = query.world ? held?.world : held?.bytes;
+    if (typeof base64 !== 'string') throw new RequestError('not available in a page without a viewer', 404);
+    return new Blob([bytesOf(base64)]);
+  }
+
+  async post(path) {
+    throw new RequestError(path === '/api/command' ? 'a recorded mission takes no commands'
+      : 'a page without a viewer cannot plan: shoal view LOG can', 404);
   }
 
   #time({t}) {
@@ -294,16 +309,17 @@ export class PageRecording {
       ? this.#slow(this.swarms.get(name), this.data.swarms.step_s, t) : null;
     return {
       name, ...columns, swarm,
-      hears: links.filter(({to, last_heard_s}) => to === name && last_heard_s !== null)
-        .map(({from, last_heard_s}) => ({name: from, last_heard_s})),
+      receives_from: links.filter(({to, last_received_s}) => to === name && last_received_s !== null)
+        .map(({from, last_received_s}) => ({name: from, last_received_s})),
     };
   }
 }
 
+const bytesOf = (base64) => Uint8Array.from(atob(base64.trim()), (letter) => letter.charCodeAt(0));
+
 /** Reads what DeflatedBase64 has written (apps/viewer/page_export.h). */
 async function unpack(base64) {
-  const bytes = Uint8Array.from(atob(base64.trim()), (letter) => letter.charCodeAt(0));
-  const packed = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  const packed = new Blob([bytesOf(base64)]).stream().pipeThrough(new DecompressionStream('deflate'));
   return JSON.parse(await new Response(packed).text());
 }
 

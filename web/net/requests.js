@@ -34,13 +34,15 @@ export class Requests {
     } catch {
       throw new RequestError('the viewer does not answer', 0);
     }
-    throw new RequestError(`status ${response.status}`, response.status);
+    const answer = await response.json().catch(() => null);
+    const reason = typeof answer?.error === 'string' ? answer.error : `status ${response.status}`;
+    throw new RequestError(reason, response.status);
   }
 
-  post(path, body) {
+  post(path, body, timeout_ms = kTimeout_ms) {
     return this.#ask(path, {
       method: 'POST', body: JSON.stringify(body), headers: {'Content-Type': 'application/json'},
-    }, kTimeout_ms);
+    }, timeout_ms);
   }
 
   /** The path with a query of all that is neither null nor empty. */

@@ -25,6 +25,9 @@ export const kKeys = [
   {group: 'Page', shown: '?  F1', text: 'this sheet', actions: {'?': 'help', F1: 'help'}},
   {group: 'Page', shown: 'Esc', text: 'close, cancel, choose no vehicle',
     actions: {Escape: 'escape'}},
+  {group: 'Planning', shown: 'Enter', text: 'end what is being drawn', actions: {Enter: 'planDone'}},
+  {group: 'Planning', shown: 'Del', text: 'take the chosen point out',
+    actions: {Delete: 'planRemove', Backspace: 'planRemove'}},
   {group: 'Recorded missions', shown: 'space', text: 'play, pause', actions: {' ': 'play'}},
   {group: 'Recorded missions', shown: ',  .', text: 'one step back, on',
     actions: {',': 'stepBack', '.': 'stepOn'}},
@@ -63,7 +66,7 @@ export function actionOf({key, ctrlKey, metaKey, altKey, target}) {
     if (type === 'range' && kMovesInLists.test(key)) return null;
     if (type === 'checkbox' && key === ' ') return null;
   }
-  if ((tag === 'BUTTON' || tag === 'SUMMARY') && key === ' ') return null;
+  if ((tag === 'BUTTON' || tag === 'SUMMARY') && (key === ' ' || key === 'Enter')) return null;
   if (target?.role === 'tab' && kMovesInLists.test(key)) return null;
   return action;
 }

@@ -38,6 +38,7 @@ const helpSheet = () => /** @type {HTMLDialogElement} */ (document.getElementByI
 function escape(page) {
   const help = helpSheet();
   if (help.open) help.close();
+  else if (page.panels?.plan.isDrawing) page.panels.plan.cancel();
   else if (page.top.layers.open) page.top.closeLayers();
   else if (page.verdict.isOpen) page.verdict.close();
   else if (page.commands?.aimed) page.commands.aim(null);
@@ -63,6 +64,8 @@ function sendHere(page) {
 }
 
 const kActions = {
+  planDone: (page) => page.panels.plan.finish(),
+  planRemove: (page) => page.panels.plan.removeChosen(),
   panLeft: (page) => page.map.pan(-kPan_px, 0),
   panRight: (page) => page.map.pan(kPan_px, 0),
   panUp: (page) => page.map.pan(0, -kPan_px),

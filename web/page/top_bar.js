@@ -8,6 +8,7 @@ const kStates = {
   waiting: '… waiting for a mission', gathering: '… starting', running: '● running',
   paused: '❚❚ paused', ended: '■ ended', lost: '⚠ launcher gone',
   silent: '⚠ launcher silent', recorded: '● recorded',
+  planned: '✎ does not run yet',
 };
 
 /** The layers in the order of their keys 1 to 9, 0; those behind have none. */
@@ -23,7 +24,7 @@ export const kLayers = [
   ['grid', 'Grid'],
   ['names', 'Names, modes, depths'],
   ['drawings', 'Drawings of programs'],
-  ['background', 'Background: files that you add'],
+  ['background', 'Background: charts, tiles, coasts'],
 ];
 
 const kNumKeys = 10;
@@ -88,11 +89,16 @@ export class TopBar {
     const place = kLayers.findIndex(([name]) => name === 'pulses') + 1;
     rows.splice(place, 0, element('div', {class: 'choice'}, this.pulseStyle));
     this.file = element('input', {type: 'file', id: 'background-file', multiple: true,
-      accept: '.geojson,.json,.tif,.tiff,.png,.jpg,.jpeg,.webp,.pgw,.jgw,.wld', 'aria-label': 'Add a background',
+      accept: '.geojson,.json,.tif,.tiff,.png,.jpg,.jpeg,.webp,.pgw,.jgw,.wld,.mbtiles',
+      'aria-label': 'Add a background',
       onchange: () => onFiles(this.file.files)});
     this.remove = element('button', {type: 'button', id: 'background-remove', hidden: true,
       onclick: () => onFiles(null)}, 'Remove');
-    rows.push(element('div', {class: 'choice'}, this.file, this.remove));
+    this.folder = element('input', {type: 'file', id: 'background-folder', webkitdirectory: true,
+      'aria-label': 'Add a folder of tiles', title: 'A folder of tiles: zoom/column/row.png',
+      onchange: () => onFiles(this.folder.files)});
+    rows.push(element('div', {class: 'choice'}, this.file, this.remove),
+      element('label', {class: 'choice'}, 'Folder of tiles ', this.folder));
     this.layers.querySelector('fieldset').replaceChildren(...rows);
     document.addEventListener('pointerdown', (event) => {
       if (!this.layers.contains(/** @type {Node} */ (event.target))) this.layers.open = false;
@@ -106,8 +112,9 @@ export class TopBar {
     setAttribute(this.mission, 'title', clip(`${file} shoal ${setup.version ?? ''}`.trim()));
     document.title = `${clip(setup.mission || 'shoal', 60)} – shoal viewer`;
     this.note(Array.isArray(setup.notes) ? setup.notes.slice(0, 10) : []);
-    this.recorded = setup.mode === 'recorded';
-    this.length_s = this.recorded ? setup.end_s : setup.duration_s;
+    this.planned = setup.mode === 'planned';
+    this.recorded = setup.mode === 'recorded' || this.planned;
+    this.length_s = setup.mode === 'recorded' ? setup.end_s : setup.duration_s;
   }
 
   /** Closes the menu of layers; its button has the focus then. */
@@ -158,7 +165,7 @@ export class TopBar {
     setText(this.clock, missionTime(t) + of);
     const ended = this.result && (recorded || clock?.state === 'ended')
       ? `■ ended: ${clip(this.result, 20)}` : '';
-    const text = recorded
+    const text = this.planned ? kStates.planned : recorded
       ? `${ended && `${ended}; `}recorded, ${recorded.playing ? `▶ ${recorded.speed} ×` : '❚❚ paused'}` : ended || clockWords(clock);
     setText(this.state, text);
     setAttribute(this.state, 'data-state', clip(clock?.state ?? '', 20));

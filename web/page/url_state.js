@@ -8,7 +8,7 @@ import {kPulseStyles} from '../map/draw_signals.js';
 const kMaxName = 64;
 const kMaxPosition_m = 1e7;
 
-export const kTabs = ['vehicle', 'comms', 'data', 'status', 'events', 'commands'];
+export const kTabs = ['vehicle', 'comms', 'data', 'status', 'events', 'plan', 'commands'];
 export const kThemes = ['dark', 'light'];
 
 /**

@@ -7,6 +7,7 @@ const kOrders = [
   {name: 'deploy', label: 'Deploy', title: 'start the list of tasks, or go on with it'},
   {name: 'return', label: 'Return', title: 'go home and stay there'},
   {name: 'station_keep', label: 'Station keep', title: 'stay here'},
+  {name: 'park', label: 'Park', title: 'end all tasks'},
   {name: 'all_stop', label: 'All-stop', title: 'stop the actuators, until Resume'},
   {name: 'resume', label: 'Resume', title: 'go on after an all-stop'},
 ];
@@ -41,6 +42,7 @@ export class Commands {
     }
     this.target = element('select', {id: 'command-target', onchange: () => {
       this.#showFactors();
+      this.#offerTasks();
       if (!this.target.value.startsWith('group:')) page.select(this.target.value);
     }});
     this.list = element('ol', {id: 'command-list', class: 'commands', 'aria-live': 'polite'});
@@ -62,11 +64,13 @@ export class Commands {
       ...[...groups].map((group) =>
         element('option', {value: `group:${group}`}, `group ${clip(group, 40)}`)));
     if (kept) this.target.value = kept;
+    this.#offerTasks();
   }
 
   select(name) {
     if (!this.allowed || !name) return;
     this.target.value = name;  // None, where it is not of the mission file: no order goes astray.
+    this.#offerTasks();
     this.#showFactors();
   }
 
@@ -146,6 +150,33 @@ export class Commands {
       label);
   }
 
+  /** The tasks of the vehicle that is chosen here, as its list has them. */
+  #offerTasks() {
+    const vehicle = this.page.setup.vehicles.find(({name}) => name === this.target.value);
+    const names = [...new Set((vehicle?.tasks ?? []).map(({name}) => name))];
+    this.task.replaceChildren(...names.map((name) => element('option', {value: name}, clip(name, 60))));
+    this.taskForm.hidden = names.length === 0;
+  }
+
+  /** Orders with a word of their own: a speed, a task by its name. */
+  #withWords() {
+    this.speed = element('input', {id: 'command-speed', type: 'number', min: 0.1, step: 'any',
+      required: true, placeholder: '1.5'});
+    this.task = element('select', {id: 'command-task'});
+    const form = (id, title, send, ...children) => element('form', {id, title, onsubmit: (event) => {
+      event.preventDefault();
+      send();
+    }}, ...children);
+    this.taskForm = form('task-form', 'jump to a task of its list',
+      () => this.send(this.target.value, ['task', this.task.value]),
+      element('label', {for: 'command-task'}, 'Task'), this.task,
+      element('button', {type: 'submit', 'data-command': 'task'}, 'Go to it'));
+    return element('div', {class: 'rules'}, form('speed-form', 'go at this speed until the next task',
+      () => this.send(this.target.value, ['speed', this.speed.value]),
+      element('label', {for: 'command-speed'}, 'Speed'), this.speed, element('span', {}, 'm/s'),
+      element('button', {type: 'submit', 'data-command': 'speed'}, 'Set')), this.taskForm);
+  }
+
   #forOne() {
     const buttons = kOrders.map(({name, label, title}) => this.#button(name, label, title,
       () => this.send(this.target.value, [name])));
@@ -153,7 +184,7 @@ export class Commands {
       () => this.aim(this.aimed === null ? this.target.value || null : null), {'aria-pressed': 'false'});
     return element('section', {}, element('label', {class: 'row'}, element('h3', {}, 'Vehicle'),
       this.target),
-      element('div', {class: 'buttons'}, buttons, this.aimButton));
+      element('div', {class: 'buttons'}, buttons, this.aimButton), this.#withWords());
   }
 
   #forAll() {

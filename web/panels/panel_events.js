@@ -7,7 +7,7 @@ import {clip, missionTime, words} from '../page/text.js';
 const kSigns = {
   collision: '✸', aground: '⏚', all_stop: '⊗', cleared: '▷', first_contact: '⇄', lost_contact: '⇎',
   contact_again: '⇄', waypoint: '⚑', deployed: '▶', parked: '‖', task: '≔', message: '✉',
-  message_lost: '✗', surfaced: '⇧', fix: '⌖', role: '⚓', mission: '◆', met: '✓', missed: '✗',
+  message_lost: '✗', surfaced: '⇧', fix: '⌖', role: '⚓', replanned: '✎', mission: '◆', met: '✓', missed: '✗',
 };
 
 export const eventSign = (event) => kSigns[event.kind] ?? '•';
@@ -17,7 +17,7 @@ export const kEventGroups = [
   ['all', 'all events', null],
   ['grave', 'trouble', ['collision', 'aground', 'all_stop', 'cleared', 'missed']],
   ['course', 'deployed, tasks, waypoints, surfaced',
-    ['deployed', 'parked', 'task', 'waypoint', 'surfaced', 'fix']],
+    ['deployed', 'parked', 'task', 'replanned', 'waypoint', 'surfaced', 'fix']],
   ['messages', 'messages', ['message', 'message_lost']],
   ['contacts', 'contacts by comms', ['first_contact', 'lost_contact', 'contact_again']],
   ['encounters', 'encounters', ['role', 'collision']],

@@ -29,15 +29,15 @@ export function cellWords(link, t) {
     const words = 'nothing was sent';
     return {state: 'unknown', sign: '·', ratio: '', received: '', words, title: words};
   }
-  const received = link.last_heard_s === null ? 'never received'
-    : `received ${age(t - link.last_heard_s)} ago`;
+  const received = link.last_received_s === null ? 'never received'
+    : `received ${age(t - link.last_received_s)} ago`;
   const share = ratio(link.delivered, link.offered);
-  const words = link.hears ? 'receives' : 'does not receive';
+  const words = link.receives ? 'receives' : 'does not receive';
   return {
-    state: link.hears ? 'receives' : 'deaf',
-    sign: link.hears ? '✓' : '✗',
+    state: link.receives ? 'receives' : 'deaf',
+    sign: link.receives ? '✓' : '✗',
     ratio: share,
-        received: link.last_heard_s === null ? 'never' : age(t - link.last_heard_s),
+        received: link.last_received_s === null ? 'never' : age(t - link.last_received_s),
     words,
     title: `${words}; ${link.delivered} of ${link.offered} `
         + `delivered (${share}), ${received}; last: ${link.text}`,
@@ -108,7 +108,7 @@ export class LinkMatrix {
     let receiving = 0;
     if (isHeat) {
       this.#clear();
-      for (const link of byKey.values()) if (link.hears) ++receiving;
+      for (const link of byKey.values()) if (link.receives) ++receiving;
       this.heat.show(names, new Map([...byKey].map(([key, {delivered, offered}]) => (
         [key, offered > 0 ? delivered / offered : null]))), this.scroll.clientWidth || kNarrow_px);
     } else {
@@ -116,7 +116,7 @@ export class LinkMatrix {
       this.shownNames = joined;
       for (const [key, cell] of this.cells) {
         const link = byKey.get(key) ?? null;
-        if (link?.hears) ++receiving;
+        if (link?.receives) ++receiving;
         this.#show(cell, cellWords(link, links.t));
       }
     }

@@ -8,7 +8,7 @@ export function contactWords(contact) {
   const notes = [];
   if (contact.target) notes.push('target');
   if (contact.silent) notes.push('silent');
-  if (!contact.heard) notes.push('never received itself');
+  if (!contact.received) notes.push('never received itself');
   for (const way of contact.recovered ?? []) notes.push(`recovered: ${way}`);
   return notes.join(', ');
 }
@@ -39,14 +39,14 @@ export class SwarmTables {
   }
 
   /** @param answer  of /api/vehicle */
-  update({t, hears: links, swarm}) {
+  update({t, receives_from: links, swarm}) {
     const now = Array.isArray(t) && t.length > 0 ? t[t.length - 1] : null;
     const received = Array.isArray(links) ? links : [];
     setText(this.note, received.length === 0 ? 'No vehicle, now.' : '');
     this.receivedList.sync(received.map((item) => ({...item, now})), ({name}) => name);
     this.swarm.hidden = !swarm;
     if (!swarm) return;
-    setText(this.sent, `As of ${missionTime(swarm.t)}; it has sent ${swarm.said} messages itself.`);
+    setText(this.sent, `As of ${missionTime(swarm.t)}; it has sent ${swarm.num_sent} messages itself.`);
     this.contactList.sync(swarm.contacts ?? [], ({name}) => name);
   }
 }
@@ -57,7 +57,7 @@ function receivedRow(name, onVehicle) {
     {type: 'button', class: 'link', onclick: () => onVehicle(name)}, name)), when);
   return {
     root,
-    update: ({last_heard_s: last, now}) => setText(when, last === null || now === null
+    update: ({last_received_s: last, now}) => setText(when, last === null || now === null
       ? 'never' : `${age(now - last)} ago`),
   };
 }

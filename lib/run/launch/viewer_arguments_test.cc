@@ -14,6 +14,11 @@ TEST(ViewerArguments, NameTheLogOrTheRunningMission) {
             (Words{"--port", "7665", "--listen", "10.0.0.1", "--allow-commands"}));
 }
 
+TEST(ViewerArguments, NameTheMissionToPlan) {
+  EXPECT_EQ(ViewerArguments({.log = "m.toml", .outside_tiles = "https://a/{z}{x}{y}"}),
+            (Words{"--plan", "m.toml", "--allow-tiles", "https://a/{z}{x}{y}"}));
+}
+
 TEST(ViewerArguments, NameThePageToWrite) {
   EXPECT_EQ(ViewerArguments({.log = "a.lcm", .export_path = "a.html", .export_step = "0.5"}),
             (Words{"--log", "a.lcm", "--export", "a.html", "--export-step", "0.5"}));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "lib/tools/analysis/swarm_testing.h"
 #include "lib/tools/plot/plot_testing.h"
@@ -111,6 +112,32 @@ TEST_F(Figures, ShowWhatProgramsDrew) {
   EXPECT_TRUE(Contains(tracks.data, "\n0 20 \"?; set output ?evil\"\n"));
   EXPECT_FALSE(Contains(tracks.data, "gone"));
   EXPECT_FALSE(Contains(tracks.script, "evil"));
+}
+
+TEST_F(Figures, LeaveOutPlacesOfDrawingsThatAreNone) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  std::vector<TestEvent> events = LogOfTwoVehicles();
+  view_polygon_t box{};
+  box.label = "box";
+  box.num_points = 5;
+  box.x_m = {0, kNan, 10, 1e300, 10};
+  box.y_m = {0, 5, 0, -1e300, 10};
+  events.push_back(EventOf("VIEW_POLYGON", box));
+  TestEvent cut = EventOf("VIEW_POLYGON", box);
+  cut.data.resize(cut.data.size() - sizeof(double));
+  events.push_back(cut);
+  view_circle_t circle{};
+  circle.label = "circle";
+  circle.x_m = std::numeric_limits<double>::infinity();
+  circle.radius_m = kNan;
+  events.push_back(EventOf("VIEW_CIRCLE", circle));
+  Draw(events, Berta());
+  const Figure& tracks = Of("tracks");
+  EXPECT_TRUE(Contains(tracks.data, "# drawn: box\n0 0\n10 0\n10 10\n0 0\n")) << tracks.data;
+  EXPECT_FALSE(Contains(tracks.data, "circle"));
+  EXPECT_FALSE(Contains(tracks.data, "nan"));
+  EXPECT_FALSE(Contains(tracks.data, "inf"));
+  EXPECT_FALSE(Contains(tracks.data, "e+300"));
 }
 
 TEST_F(Figures, ShowTheAreaThatIsSurveyedAndTheBandThatIsCovered) {

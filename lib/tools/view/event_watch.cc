@@ -39,7 +39,9 @@ std::vector<double> LengthsOf(const std::vector<WatchedVehicle>& vehicles) {
 std::vector<WatchedVehicle> WatchedVehiclesOf(const Mission& mission) {
   std::vector<WatchedVehicle> vehicles;
   for (const Vehicle& vehicle : mission.vehicles) {
-    vehicles.push_back({.name = vehicle.name, .length_m = vehicle.length_m});
+    vehicles.push_back({.name = vehicle.name,
+                        .length_m = vehicle.length_m,
+                        .plan = PlanWatch(vehicle.behaviors, vehicle.tasks)});
     if (FactsOfModel(vehicle.model).passive.empty()) vehicles.back().draught_m = DraughtOf(vehicle);
   }
   return vehicles;
@@ -81,7 +83,7 @@ std::string_view EventKindText(EventKind kind) {
       "collision",    "aground",       "all_stop",     "cleared",  "first_contact",
       "lost_contact", "contact_again", "waypoint",     "deployed", "parked",
       "task",         "message",       "message_lost", "surfaced", "fix",
-      "role",         "mission",       "met",          "missed"};
+      "role",         "replanned",     "mission",      "met",      "missed"};
   return kTexts[kind];
 }
 
@@ -189,6 +191,12 @@ void EventWatch::OnDecision(size_t vehicle, const helm_decision_t& decision) {
   const int64_t utime = PlausibleUtime(decision.utime);
   std::vector<Part>& parts = parts_[vehicle];
   std::erase_if(parts, [&](const Part& part) { return utime - part.utime > kForgotten_us; });
+  for (const std::string& event : decision.events) {
+    const Eigen::Vector2d position_m = positions_m_[vehicle].head<2>();
+    if (auto plan = vehicles_[vehicle].plan.OnEvent(event, position_m)) {
+      AddPlan(vehicle, utime, event, std::move(*plan));
+    }
+  }
   const std::string& name = vehicles_[vehicle].name;
   for (const helm_aim_t& aim : decision.aims) {
     if (aim.contact.empty() || aim.role.empty()) continue;
@@ -314,6 +322,21 @@ void EventWatch::FindLosses(int64_t utime) {
                            Seconds(silence_us_)));
     }
   }
+}
+
+void EventWatch::OnCommand(size_t vehicle, const helm_command_t& command, int64_t utime) {
+  if (vehicle >= vehicles_.size() || command.command != "move") return;
+  if (auto plan = vehicles_[vehicle].plan.OnMove(command.argument, command.values)) {
+    AddPlan(vehicle, utime, "move: " + command.argument, std::move(*plan));
+  }
+}
+
+void EventWatch::AddPlan(size_t vehicle, int64_t utime, const std::string& what, std::string plan) {
+  const std::string& name = vehicles_[vehicle].name;
+  const size_t before = events_.size();
+  AddOneOfMany(utime, EventKind::kReplanned, {name},
+               fmt::format("{}: {}", name, what.substr(0, kMaxReason)));
+  if (events_.size() > before) events_.back().plan = std::move(plan);
 }
 
 void EventWatch::AddEvent(int64_t utime, EventKind kind, std::vector<std::string> vehicles,

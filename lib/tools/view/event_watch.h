@@ -18,8 +18,10 @@
 #include <vector>
 
 #include "lib/tools/view/fate_facts.h"
+#include "lib/tools/view/plan_watch.h"
 #include "lib/vehicle/vehicle/collision_watch.h"
 #include "lib/vehicle/vehicle/grounding_watch.h"
+#include "shoal/helm_command_t.hpp"
 #include "shoal/helm_decision_t.hpp"
 #include "shoal/helm_state_t.hpp"
 #include "shoal/navigation_t.hpp"
@@ -46,6 +48,7 @@ enum class EventKind : uint8_t {
   kSurfaced,
   kFix,
   kRole,
+  kReplanned,
   kMission,
   kMet,
   kMissed,
@@ -57,6 +60,7 @@ struct ViewEvent {
   EventKind kind = EventKind::kCollision;
   std::vector<std::string> vehicles;
   std::string text;
+  std::string plan = {};  ///< kReplanned: what PlanWatch returns.
 };
 
 /// A vehicle that can collide.
@@ -65,6 +69,7 @@ struct WatchedVehicle {
   double length_m = 0;
   /// 0: it dives. Absent: it cannot run aground.
   std::optional<double> draught_m = {};
+  PlanWatch plan = {};
 };
 
 /// Returns the vehicles of a mission, in its order.
@@ -94,8 +99,10 @@ class EventWatch {
              double altitude_m = -1);
   /// Takes what HELM_STATE states.
   void OnHelm(size_t vehicle, const helm_state_t& helm);
-  /// Takes what HELM_DECISION states: parts toward contacts.
+  /// Takes what HELM_DECISION states: parts toward contacts, and updates that move behaviors.
   void OnDecision(size_t vehicle, const helm_decision_t& decision);
+  /// Takes an order to a helm: `move` of a task, where the helm takes it.
+  void OnCommand(size_t vehicle, const helm_command_t& command, int64_t utime);
   /// Takes what NAVIGATION states: GPS.
   void OnNavigation(size_t vehicle, const navigation_t& navigation);
   /// Takes the fate of a message of a vehicle; numbers as those of OnFate.
@@ -145,6 +152,7 @@ class EventWatch {
   void WatchStop(size_t vehicle, const helm_state_t& helm);
   void WatchArrival(size_t vehicle, const helm_state_t& helm);
   void WatchTask(size_t vehicle, const helm_state_t& helm);
+  void AddPlan(size_t vehicle, int64_t utime, const std::string& what, std::string plan);
   void WatchSurface(size_t vehicle, int64_t utime, double z_m);
   void TakePlanned(int64_t utime);
   /// AddEvent, for at most kMaxOfKind of the kind.

@@ -359,4 +359,39 @@ TEST(EventsOf, HasEachExpectationAtTheEnd) {
   EXPECT_EQ(events[1].kind, EventKind::kMissed);
 }
 
+TEST(EventWatch, KeepsWhereUpdatesAndOrdersMoveAPlan) {
+  BehaviorOptions behavior;
+  behavior.name = "loiter_a";
+  behavior.updates = "UPDATES";
+  behavior.what = WaypointOptions();
+  const std::vector<Task> tasks = {{.name = "way", .what = WaypointsTask{.points_m = {{0, 0}}}}};
+  EventWatch watch({{.name = "alpha", .length_m = 3, .plan = PlanWatch({behavior}, tasks)}});
+  helm_decision_t decision{};
+  decision.utime = 5 * kSecond;
+  decision.events = {"mode: ACTIVE", "update: loiter_a: points = 1,2:3,4",
+                     "update: other: points = 1,2"};
+  decision.num_events = 3;
+  watch.OnDecision(0, decision);
+  ASSERT_EQ(NumOf(watch, EventKind::kReplanned), 1);
+  EXPECT_EQ(watch.events()[0].text, "alpha: update: loiter_a: points = 1,2:3,4");
+  EXPECT_NE(watch.events()[0].plan.find(R"("points":[[1,2],[3,4]])"), std::string::npos)
+      << watch.events()[0].plan;
+  watch.OnDecision(0, decision);
+  EXPECT_EQ(NumOf(watch, EventKind::kReplanned), 1) << "nothing lies elsewhere by it";
+
+  helm_command_t command{};
+  command.command = "move";
+  command.argument = "way";
+  command.values = {7, 8};
+  command.num_values = 2;
+  watch.OnCommand(0, command, 6 * kSecond);
+  ASSERT_EQ(NumOf(watch, EventKind::kReplanned), 2);
+  EXPECT_NE(watch.events()[1].plan.find(R"({"name":"way","parts":[)"), std::string::npos);
+  command.values = {7};
+  command.num_values = 1;
+  watch.OnCommand(0, command, 7 * kSecond);
+  watch.OnCommand(9, command, 7 * kSecond);
+  EXPECT_EQ(NumOf(watch, EventKind::kReplanned), 2) << "what a helm refuses moves nothing";
+}
+
 }  // namespace shoal::event_watch_test

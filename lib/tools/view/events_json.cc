@@ -17,7 +17,9 @@ std::string EventsJson(std::span<const ViewEvent> events, int64_t start_utime) {
         .Key("vehicles")
         .BeginArray();
     for (const std::string& vehicle : event.vehicles) json.Text(vehicle);
-    json.EndArray().Text("text", event.text).EndObject();
+    json.EndArray().Text("text", event.text);
+    if (!event.plan.empty()) json.Key("plan").Raw(event.plan);
+    json.EndObject();
   }
   json.EndArray().EndObject();
   return json.Take();

@@ -5,19 +5,21 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <type_traits>
 #include <utility>
 
 #include "lib/base/codec/little_endian.h"
 #include "lib/base/time/time_units.h"
 #include "lib/bus/record/file_window.h"
+#include "lib/mission/file/load.h"
 
 namespace shoal {
 
 namespace {
 
 /// Another one wherever IndexArchive, or what is worked out of a log, changes.
-constexpr int kViewIndexFormat = 2;
+constexpr int kViewIndexFormat = 3;
 constexpr size_t kMaxIndexText_bytes = 10'000;
 constexpr size_t kMaxIndexVehicles = 5000;
 constexpr size_t kMaxTroubles = 100;
@@ -156,6 +158,9 @@ class IndexArchive {
     Choice(event.kind, static_cast<int>(EventKind::kMissed) + 1);
     Each(event.vehicles, 10, 4, [&](std::string& name) { Text(name); });
     Text(event.text);
+    Text(event.plan);
+    // It goes into an answer as it is.
+    if (reader_) Require(event.plan.empty() || nlohmann::json::accept(event.plan));
   }
 
   void One(Keyframe& keyframe) {
@@ -255,6 +260,7 @@ std::string IndexKey(const Scene& blank, const Mission& mission, LogStamps stamp
   }
   for (const std::string_view medium : blank.media_links().Names())
     text += fmt::format("|{}", medium);
+  text += Explain(mission);  // What PlanWatch knows of it.
   return fmt::format("{} {:016x}", kViewIndexFormat,
                      DigestOf({reinterpret_cast<const uint8_t*>(text.data()), text.size()}));
 }

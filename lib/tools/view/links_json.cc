@@ -22,10 +22,10 @@ void WriteLink(const Scene& scene, const NameTable& names, const LinkCounts& lin
   json->BeginObject()
       .Text("from", names.at(link.from))
       .Text("to", names.at(link.to))
-      .Boolean("hears", Receives(scene, link))
+      .Boolean("receives", Receives(scene, link))
       .Integer("delivered", static_cast<int64_t>(link.Received()))
       .Integer("offered", static_cast<int64_t>(link.Offered()))
-      .Key("last_heard_s");
+      .Key("last_received_s");
   if (link.last_received_utime == LinkCounts::kNeverReceived) {
     json->Null();
   } else {

@@ -185,6 +185,10 @@ void LiveView::OnNav(size_t vehicle, const nav_t& nav) {
 
 void LiveView::OnHelm(size_t vehicle, const helm_state_t& helm) { events_.OnHelm(vehicle, helm); }
 
+void LiveView::OnCommand(size_t vehicle, const helm_command_t& command) {
+  events_.OnCommand(vehicle, command, scene_.now_utime());
+}
+
 void LiveView::OnDecision(size_t vehicle, const helm_decision_t& decision) {
   events_.OnDecision(vehicle, decision);
 }

@@ -65,15 +65,14 @@ class LiveView : public ViewSource, private SceneObserver {
   std::string FatesJson(const FateQuery& query, double t_s) override;
   std::string EventsJson() override;
   std::string VerdictJson() override;
-  Result<std::string> Background(size_t number, bool world) override {
-    return backgrounds_.Read(number, world);
-  }
+  BackgroundFolder Backgrounds() override { return backgrounds_; }
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override;
   Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) override;
 
  private:
   void OnNav(size_t vehicle, const nav_t& nav) override;
   void OnHelm(size_t vehicle, const helm_state_t& helm) override;
+  void OnCommand(size_t vehicle, const helm_command_t& command) override;
   void OnDecision(size_t vehicle, const helm_decision_t& decision) override;
   void OnNavigation(size_t vehicle, const navigation_t& navigation) override;
   void OnReport(size_t vehicle, const ReceivedReport& report) override;

@@ -210,14 +210,14 @@ TEST_F(LiveViewTest, LinksShowWhichVehiclesReceiveEachOtherAndWhy) {
   Handle("COMMS_FATES", FatesOf(12'100'000, {delivered, far}));
   EXPECT_EQ(json::parse(view_.LinksJson(0)), json::parse(R"({
       "t": 12.1, "names": ["alpha", "bravo"],
-      "links": [{"from": "alpha", "to": "bravo", "hears": true, "delivered": 1, "offered": 1,
-                 "last_heard_s": 12.1, "cause": "delivered", "text": "18.2 m of 250.0 m",
+      "links": [{"from": "alpha", "to": "bravo", "receives": true, "delivered": 1, "offered": 1,
+                 "last_received_s": 12.1, "cause": "delivered", "text": "18.2 m of 250.0 m",
                  "t": 12.1},
-                {"from": "bravo", "to": "alpha", "hears": false, "delivered": 0, "offered": 1,
-                 "last_heard_s": null, "cause": "out_of_range", "text": "312.4 m of 250.0 m",
+                {"from": "bravo", "to": "alpha", "receives": false, "delivered": 0, "offered": 1,
+                 "last_received_s": null, "cause": "out_of_range", "text": "312.4 m of 250.0 m",
                  "t": 12.1}]})"));
   Handle("NAV_ALPHA", NavAt(17'200'000, 0, 0));
-  EXPECT_EQ(json::parse(view_.LinksJson(0))["links"][0]["hears"], false) << "that is long ago";
+  EXPECT_EQ(json::parse(view_.LinksJson(0))["links"][0]["receives"], false) << "that is long ago";
 }
 
 TEST_F(LiveViewTest, ShowsTheMediaOfLinksApart) {
@@ -243,7 +243,7 @@ TEST_F(LiveViewTest, ShowsTheMediaOfLinksApart) {
   EXPECT_EQ(vhf["names"], all["names"]);
   ASSERT_EQ(vhf["links"].size(), 2U);
   EXPECT_EQ(vhf["links"][0]["offered"], 1);
-  EXPECT_EQ(vhf["links"][0]["hears"], true);
+  EXPECT_EQ(vhf["links"][0]["receives"], true);
   EXPECT_EQ(vhf["links"][1]["offered"], 1) << "the rule's is of no medium";
   const json acoustic = json::parse(*view_.MediumLinksJson("acoustic", 0));
   ASSERT_EQ(acoustic["links"].size(), 1U);
@@ -346,12 +346,12 @@ TEST_F(LiveViewTest, ChartsAVehicle) {
   for (const char* column : {"speed", "desired_speed", "depth", "desired_depth"}) {
     EXPECT_EQ(vehicle[column], json::parse("[0,0,0,0]")) << column;
   }
-  EXPECT_EQ(vehicle["swarm"], json::parse(R"({"t": 9, "said": 14, "contacts": [
-      {"name": "bravo", "target": true, "heard": true, "known": true, "age_s": 4.2,
+  EXPECT_EQ(vehicle["swarm"], json::parse(R"({"t": 9, "num_sent": 14, "contacts": [
+      {"name": "bravo", "target": true, "received": true, "known": true, "age_s": 4.2,
        "position": [1, 0, 0], "silent": false, "recovered": ["reporter_pos predict"]},
-      {"name": "charlie", "target": false, "heard": false, "known": false, "age_s": null,
+      {"name": "charlie", "target": false, "received": false, "known": false, "age_s": null,
        "position": null, "silent": false, "recovered": []}]})"));
-  EXPECT_EQ(vehicle["hears"], json::parse(R"([{"name": "bravo", "last_heard_s": 9}])"));
+  EXPECT_EQ(vehicle["receives_from"], json::parse(R"([{"name": "bravo", "last_received_s": 9}])"));
   const auto bravo = view_.VehicleJson("bravo", 0, 3);
   ASSERT_TRUE(bravo.ok());
   EXPECT_TRUE(json::parse(*bravo)["swarm"].is_null());

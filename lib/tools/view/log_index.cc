@@ -178,6 +178,9 @@ class IndexBuilder : private SceneObserver {
 
   void OnHelm(size_t vehicle, const helm_state_t& helm) override { watch_.OnHelm(vehicle, helm); }
 
+  void OnCommand(size_t vehicle, const helm_command_t& command) override {
+    watch_.OnCommand(vehicle, command, scene_.now_utime());
+  }
   void OnDecision(size_t vehicle, const helm_decision_t& decision) override {
     watch_.OnDecision(vehicle, decision);
   }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "lib/base/check/check.h"
+#include "lib/tools/view/page_backgrounds.h"
 
 namespace shoal {
 
@@ -271,10 +272,19 @@ PageRecording RecordForPage(ViewSource& view, double begin_s, double end_s,
   if (const int64_t out = pulses.num_left_out() + packets.num_left_out(); out > 0) {
     recording.notes.push_back(fmt::format("{} pulses and packets are left out on the map", out));
   }
+  Json backgrounds =
+      BackgroundsForPage(view.Backgrounds(), options.max_background_bytes, &recording.notes);
+  Json more = Json::object();
+  if (options.add_more) options.add_more(&more, &recording.notes);
   Json setup = Json::parse(view.SetupJson(false));
   for (const std::string& note : recording.notes) setup["notes"].push_back(note);
-  setup.erase("backgrounds");  // Their files are not in the page.
-  Json all = {{"version", 1},
+  setup["backgrounds"] = Json::array();
+  for (const Json& each : backgrounds) {
+    setup["backgrounds"].push_back(
+        {{"file", each["file"]}, {"has_world", each["world"] != ""}, {"tiles", nullptr}});
+  }
+  Json all = {{"version", 2},
+              {"backgrounds", std::move(backgrounds)},
               {"setup", std::move(setup)},
               {"trails", Json::parse(view.TrailsJson())},
               {"events", Json::parse(view.EventsJson())},
@@ -286,6 +296,7 @@ PageRecording RecordForPage(ViewSource& view, double begin_s, double end_s,
               {"packets", packets.Take()},
               {"fates", fates.Take()}};
   slow.TakeInto(&all);
+  all.update(more);
   recording.json = all.dump();
   return recording;
 }

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct PageRecordingOptions {
   size_t max_fates = 60'000;  ///< The newest are kept.
   size_t max_transmissions =
       60'000;  ///< Pulses, and packets; of more every second is left out, ...
+  size_t max_background_bytes = 4'000'000;  ///< Of all backgrounds; larger ones are left out.
+  /// Adds members of the caller's to the page's data, and notes about them.
+  std::function<void(nlohmann::json* all, std::vector<std::string>* notes)> add_more = {};
 };
 
 struct PageRecording {

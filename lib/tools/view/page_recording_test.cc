@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "lib/tools/view/page_backgrounds.h"
 #include "lib/tools/view/recorded_testing.h"
 
 namespace shoal::page_recording_test {
@@ -69,13 +72,34 @@ TEST(PageRecording, HoldsEveryFateOnceInTheirOrder) {
   for (size_t i = 0; i < fates.size(); ++i) ASSERT_EQ(fates[i][0], i + 1);
 }
 
-TEST(PageRecording, HasTheVerdictAndNoBackgroundWhoseFileItHasNot) {
+TEST(PageRecording, HasTheVerdictAndABackgroundOnlyWithItsFile) {
   const TestDirectory directory;
   const auto view = OpenTraffic(directory, TrafficMaker(2).Make(60));
   const json all = RecordingOf({.step_s = 5}, *view, view->end_s());
   EXPECT_EQ(all["verdict"], json::parse(view->VerdictJson()));
-  EXPECT_TRUE(json::parse(view->SetupJson(false)).contains("backgrounds"));
-  EXPECT_FALSE(all["setup"].contains("backgrounds"));
+  EXPECT_EQ(all["setup"]["backgrounds"], json::array());
+  EXPECT_EQ(all["backgrounds"], json::array());
+}
+
+TEST(PageRecording, HoldsSmallBackgroundsAndNamesTheOthers) {
+  const TestDirectory directory;
+  const std::filesystem::path folder = directory.File("");
+  std::ofstream(folder / "bay.png") << "pixels";
+  std::ofstream(folder / "bay.pgw") << "1";
+  std::ofstream(folder / "large.tif") << std::string(2'000'000, 'x');
+  std::ofstream(folder / "coast.json") << "{}";
+  std::vector<std::string> notes;
+  const json held = BackgroundsForPage(
+      {.folder = folder,
+       .files = {"bay.png", "large.tif", "gone.png", "sea.mbtiles", "coast.json"}},
+      1'000'000, &notes);
+  EXPECT_EQ(held, json::parse(R"([{"file": "bay.png", "bytes": "cGl4ZWxz", "world": "MQ=="},
+                                  {"file": "coast.json", "bytes": "e30=", "world": ""}])"));
+  ASSERT_EQ(notes.size(), 3u);
+  EXPECT_EQ(notes[0],
+            "the background large.tif (2.0 MB) is too large for the page: drop it onto the map");
+  EXPECT_NE(notes[1].find("gone.png"), std::string::npos);
+  EXPECT_EQ(notes[2], "the tiles sea.mbtiles are not in the page: drop them onto the map");
 }
 
 TEST(PageRecording, KeepsTheNewestFatesAndStatesHowManyAreLeftOut) {

@@ -65,9 +65,7 @@ class RecordedView : public ViewSource {
   std::string FatesJson(const FateQuery& query, double t_s) override;
   std::string EventsJson() override;
   std::string VerdictJson() override;
-  Result<std::string> Background(size_t number, bool world) override {
-    return BackgroundsOf(mission_).Read(number, world);
-  }
+  BackgroundFolder Backgrounds() override { return BackgroundsOf(mission_); }
   /// Fates and ranges are of the last FateHistory::kMaxFates of all links.
   Result<std::string> LinkJson(std::string_view from, std::string_view to, double t_s) override;
   Result<std::string> VehicleJson(std::string_view name, double t_s, double window_s) override;

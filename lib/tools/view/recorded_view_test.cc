@@ -98,7 +98,7 @@ TEST(RecordedView, ShowsWhatAVehicleKnowsAsARunningMissionDid) {
     Result<std::string> answer = view.VehicleJson("bravo", t_s, 60);
     EXPECT_TRUE(answer.ok());
     const json vehicle = json::parse(*answer);
-    return json{vehicle["swarm"], vehicle["hears"]};
+    return json{vehicle["swarm"], vehicle["receives_from"]};
   });
 }
 

@@ -80,6 +80,7 @@ Scene::Scene(const Mission& mission)
     const size_t place = vehicles_.size();
     channels_[channels::Nav(vehicle.name).name] = {Topic::kNav, place};
     channels_[channels::HelmState(vehicle.name).name] = {Topic::kHelm, place};
+    channels_[channels::HelmCommand(vehicle.name).name] = {Topic::kCommand, place};
     channels_[channels::Swarm(vehicle.name).name] = {Topic::kSwarm, place};
     ForEachShownChannel([&]<class Row, size_t kRow>() {
       channels_[Row::ChannelOf(vehicle.name).name] = {Topic::kShown, place, kRow};
@@ -120,6 +121,8 @@ void Scene::Handle(std::string_view channel, std::span<const uint8_t> data,
         return HandleNav(place, data, observer);
       case Topic::kHelm:
         return HandleHelm(place, data, observer);
+      case Topic::kCommand:
+        return HandleCommand(place, data, observer);
       case Topic::kSwarm:
         return HandleSwarm(place, data);
       case Topic::kShown:
@@ -161,6 +164,13 @@ const std::string* Scene::NameOf(std::string_view name) const {
 bool Scene::IsStale(const SceneVehicle& vehicle) const {
   if (!vehicle.report || !rules_) return false;
   return shoal::IsStale(*rules_, vehicle.report->received_utime, now_utime_);
+}
+
+bool Scene::HandleCommand(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer) {
+  const helm_command_t* command = DecodeAgain<helm_command_t>(data);
+  if (command == nullptr) return false;
+  if (observer != nullptr) observer->OnCommand(vehicle, *command);
+  return true;
 }
 
 bool Scene::HandleNav(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer) {

@@ -28,6 +28,7 @@
 #include "lib/tools/view/pulse_book.h"
 #include "lib/tools/view/shown_channels.h"
 #include "shoal/clock_state_t.hpp"
+#include "shoal/helm_command_t.hpp"
 #include "shoal/helm_state_t.hpp"
 #include "shoal/nav_t.hpp"
 #include "shoal/node_report_t.hpp"
@@ -77,6 +78,7 @@ class SceneObserver {
   virtual void OnHelm(size_t /*vehicle*/, const helm_state_t& /*helm*/) {}
   virtual void OnReport(size_t /*vehicle*/, const ReceivedReport& /*report*/) {}
   virtual void OnDecision(size_t /*vehicle*/, const helm_decision_t& /*decision*/) {}
+  virtual void OnCommand(size_t /*vehicle*/, const helm_command_t& /*command*/) {}
   virtual void OnNavigation(size_t /*vehicle*/, const navigation_t& /*navigation*/) {}
   virtual void OnFate(const FateView& /*fate*/, const LinkPlace& /*place*/) {}
   /// What COMMS_MEDIA has of a fate that OnFate was called for.
@@ -92,7 +94,7 @@ class Scene {
   /// Begins with the mission's vehicles, in its order, and its rules.
   explicit Scene(const Mission& mission);
 
-  /// Takes one encoded message. Channels: NAV_V, HELM_STATE_V, SWARM_V and those of
+  /// Takes one encoded message. Channels: NAV_V, HELM_STATE_V, HELM_COMMAND_V, SWARM_V and those of
   /// shown_channels.h of the mission's vehicles, NODE_REPORT_LOCAL, NODE_REPORT, COMMS_FATES,
   /// COMMS_MEDIA, COMMS_RULES, VIEW_COMMS_PULSE, those of DrawingBook; all others are ignored.
   void Handle(std::string_view channel, std::span<const uint8_t> data,
@@ -148,6 +150,7 @@ class Scene {
   enum class Topic : uint8_t {
     kNav,
     kHelm,
+    kCommand,
     kSwarm,
     kShown,
     kReport,
@@ -169,6 +172,7 @@ class Scene {
 
   // Return false for bytes that are no such message.
   bool HandleNav(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer);
+  bool HandleCommand(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer);
   bool HandleHelm(size_t vehicle, std::span<const uint8_t> data, SceneObserver* observer);
   bool HandleShown(size_t vehicle, size_t row, std::span<const uint8_t> data,
                    SceneObserver* observer);

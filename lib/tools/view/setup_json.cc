@@ -10,40 +10,18 @@
 #include "lib/comms/routing/cause.h"
 #include "lib/comms/routing/control.h"
 #include "lib/helm/behaviors/behavior_outline.h"
-#include "lib/mission/file/background_files.h"
 #include "lib/mission/file/ocean_of.h"
 #include "lib/mission/model/coverage_area.h"
 #include "lib/mission/model/vehicle_colors.h"
 #include "lib/run/command_line/version.h"
+#include "lib/tools/view/background_tiles.h"
 #include "lib/tools/view/fate_text.h"
 #include "lib/tools/view/json_writer.h"
+#include "lib/tools/view/outline_json.h"
 
 namespace shoal {
 
 namespace {
-
-void WritePoint(const Eigen::Vector2d& point_m, JsonWriter* json) {
-  json->BeginArray().Number(point_m.x(), kCentimetres).Number(point_m.y(), kCentimetres).EndArray();
-}
-
-void WritePoints(const std::vector<Eigen::Vector2d>& points_m, JsonWriter* json) {
-  json->BeginArray();
-  for (const Eigen::Vector2d& point_m : points_m) WritePoint(point_m, json);
-  json->EndArray();
-}
-
-/// A task, or a behavior, which may have several.
-void WriteOutline(std::string_view name, std::string_view kind, const TaskOutline& outline,
-                  JsonWriter* json) {
-  json->BeginObject().Text("name", name).Text("kind", kind).Key("points");
-  WritePoints(outline.points_m, json);
-  json->Boolean("closed", outline.closed)
-      .Number("radius_m", outline.radius_m, kCentimetres)
-      .Boolean("marked", outline.marks_points)
-      .Key("area");
-  WritePoints(outline.area_m, json);
-  json->EndObject();
-}
 
 /// An area that is to be covered.
 void WriteCoverage(const Mission& mission, const CoverageExpectation& coverage, JsonWriter* json) {
@@ -195,6 +173,7 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
                       const std::string& floor_json) {
   JsonWriter json;
   json.BeginObject()
+      .Integer("protocol", kViewProtocol)
       .Text("mode", facts.mode)
       .Text("boot", facts.boot)
       .Text("mission", mission.name)
@@ -242,15 +221,9 @@ std::string SetupJson(const Mission& mission, const SetupFacts& facts,
   for (const NamedOrder& order : mission.orders) {
     if (orders.insert(order.name).second) json.Text(order.name);
   }
-  json.EndArray().Key("backgrounds").BeginArray();
-  const BackgroundFolder backgrounds = BackgroundsOf(mission);
-  for (size_t i = 0; i < backgrounds.files.size(); ++i) {
-    json.BeginObject()
-        .Text("file", backgrounds.files[i])
-        .Boolean("has_world", backgrounds.HasWorld(i))
-        .EndObject();
-  }
-  json.EndArray().Key("floor").Raw(floor_json).Key("notes").BeginArray();
+  json.EndArray().Key("backgrounds");
+  WriteBackgrounds(BackgroundsOf(mission), &json);
+  json.Key("floor").Raw(floor_json).Key("notes").BeginArray();
   for (const std::string& note : facts.notes) json.Text(note);
   json.EndArray().EndObject();
   return json.Take();

@@ -8,6 +8,9 @@
 
 namespace shoal {
 
+/// `protocol` of the answer: another number where a member of any answer was renamed or removed.
+inline constexpr int kViewProtocol = 2;
+
 /// What the answer shows beside the mission.
 struct SetupFacts {
   std::string mode = "live";  ///< Or "recorded".

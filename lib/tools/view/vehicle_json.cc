@@ -17,7 +17,7 @@ void WriteContact(const Scene& scene, const swarm_contact_t& contact, JsonWriter
   json->BeginObject()
       .Text("name", contact.name)
       .Boolean("target", contact.is_target != 0)
-      .Boolean("heard", contact.is_heard != 0)
+      .Boolean("received", contact.is_heard != 0)
       .Boolean("known", contact.is_known != 0)
       .Key("age_s");
   if (contact.is_heard) {
@@ -43,7 +43,7 @@ void WriteContact(const Scene& scene, const swarm_contact_t& contact, JsonWriter
 void WriteSwarm(const Scene& scene, const swarm_t& swarm, JsonWriter* json) {
   json->BeginObject()
       .Number("t", scene.SecondsOf(swarm.utime), kMilliseconds)
-      .Integer("said", swarm.num_said)
+      .Integer("num_sent", swarm.num_said)
       .Key("contacts")
       .BeginArray();
   for (const swarm_contact_t& contact : swarm.contacts) WriteContact(scene, contact, json);
@@ -58,7 +58,7 @@ void WriteReceivedSources(const Scene& scene, std::string_view vehicle, JsonWrit
     if (link.to != to || link.last_received_utime == LinkCounts::kNeverReceived) continue;
     json->BeginObject()
         .Text("name", book.names().at(link.from))
-        .Number("last_heard_s", scene.SecondsOf(link.last_received_utime), kMilliseconds)
+        .Number("last_received_s", scene.SecondsOf(link.last_received_utime), kMilliseconds)
         .EndObject();
   }
   json->EndArray();
@@ -85,7 +85,7 @@ std::string VehicleJson(const Scene& scene, const SceneVehicle& vehicle,
   } else {
     json.Null();
   }
-  json.Key("hears");
+  json.Key("receives_from");
   WriteReceivedSources(scene, vehicle.name, &json);
   json.EndObject();
   return json.Take();

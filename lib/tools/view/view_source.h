@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "lib/base/check/result.h"
+#include "lib/mission/file/background_files.h"
 
 namespace shoal {
 
@@ -29,10 +30,8 @@ class ViewSource {
 
   /// `commands`: the client may send commands.
   virtual std::string SetupJson(bool commands) = 0;
-  /// Returns the bytes of a file that the mission names as a background, or of its world file.
-  virtual Result<std::string> Background(size_t /*number*/, bool /*world*/) {
-    return Error{"there is no background"};
-  }
+  /// Returns where the files are that the mission names as backgrounds.
+  virtual BackgroundFolder Backgrounds() { return {}; }
   // `t_s` is mission time since the start; ignored for a running mission, which has only the
   // current time.
   virtual std::string FrameJson(double t_s) = 0;

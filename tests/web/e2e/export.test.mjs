@@ -68,6 +68,18 @@ test('it scrubs, and moves between its frames', async () => {
   assert.ok(Math.abs(between.x - (late.x + after301.x) / 2) < 0.2, 'half way');
 });
 
+test('its channels have messages and charts', async () => {
+  await scrub(300);
+  await page.click('[data-tab=data]');
+  await page.fill('#data-search', 'nav_alpha x_m');
+  await page.click('[data-field="NAV_ALPHA:x_m"]');
+  await until('the chart', async () => await page.locator('#plots canvas').count() > 0);
+  const {value, t} = await page.evaluate(() => globalThis.shoalViewer.requests.get('/api/series',
+    { field: 'NAV_ALPHA:x_m', t: 300, window: 200 }));
+  assert.ok(value.length > 20 && t.every((each) => each >= 100 && each <= 300));
+  assert.ok(Math.abs(value.at(-1) - (await alpha()).x) < 30);
+});
+
 test('it plays', async () => {
   await scrub(50);
   await page.keyboard.press('Space');

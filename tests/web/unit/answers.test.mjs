@@ -35,6 +35,8 @@ test('a setup has vehicles, notes and a time line that does not go backward', ()
   }
   assert.equal(tidySetup({begin_s: 5, end_s: 1}).end_s, 5);
   assert.deepEqual(tidySetup({notes: ['x', {}]}).notes, ['x']);
+  assert.deepEqual(tidySetup({protocol: 2, notes: ['x']}).notes, ['x']);
+  assert.match(tidySetup({protocol: 3, notes: ['x']}).notes[0], /protocol 3, this page 2: reload/);
 });
 
 test('events come in order of time, without those that have none', () => {

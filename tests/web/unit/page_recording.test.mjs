@@ -47,7 +47,7 @@ const kRecording = {
   begin_s: 0, end_s: 2.5,
   frames: {step_s: 1, states: [{t: 0, vehicles: [vehicleAt(0, 350)]},
     {vehicles: {0: {nav: {x: [10], heading: [10]}}}}, 0, {vehicles: {0: {nav: {x: [15]}}}}]},
-  links: {step_s: 1, states: [{links: []}, {links: [[{from: 'bravo', to: 'alpha', last_heard_s: 1}]]}]},
+  links: {step_s: 1, states: [{links: []}, {links: [[{from: 'bravo', to: 'alpha', last_received_s: 1}]]}]},
   pulses: [{id: 1, t: 1, duration: 1}], packets: [], media: [], swarms: {step_s: 5, of: []},
   fates: [[1, 0.5, 'report', 'alpha', 'bravo', 1, 1, 'delivered', '', 'a', 20, 250, null],
     [2, 1.5, 'report', 'alpha', 'bravo', 3, 2, 'too_soon', '', 'b', null, null, 'vhf']],

@@ -81,12 +81,12 @@ test('causes come with the most frequent first', () => {
 });
 
 test('a cell of the matrix shows in signs and words what its colour shows', () => {
-  const link = {hears: false, delivered: 3, offered: 12, last_heard_s: 2, text: '300 m of 250 m'};
+  const link = {receives: false, delivered: 3, offered: 12, last_received_s: 2, text: '300 m of 250 m'};
   const cell = cellWords(link, 10);
   assert.deepEqual([cell.state, cell.sign, cell.ratio, cell.received], ['deaf', '✗', '25%', '8.0 s']);
   assert.match(cell.title, /does not receive; 3 of 12 .* 300 m of 250 m/);
-  assert.equal(cellWords({...link, hears: true}, 10).sign, '✓');
-  assert.equal(cellWords({...link, last_heard_s: null}, 10).received, 'never');
+  assert.equal(cellWords({...link, receives: true}, 10).sign, '✓');
+  assert.equal(cellWords({...link, last_received_s: null}, 10).received, 'never');
   assert.equal(cellWords(null, 10).state, 'unknown');
 });
 
@@ -131,9 +131,9 @@ test('a vehicle has the mode of its report, or that of its helm', () => {
 });
 
 test('what a vehicle knows of another is shown in words', () => {
-  assert.equal(contactWords({target: true, heard: false, recovered: ['reporter_pos predict']}),
+  assert.equal(contactWords({target: true, received: false, recovered: ['reporter_pos predict']}),
     'target, never received itself, recovered: reporter_pos predict');
-  assert.equal(contactWords({heard: true}), '');
+  assert.equal(contactWords({received: true}), '');
 });
 
 test('the filter of status pages looks for all words, everywhere', () => {
