@@ -5,7 +5,7 @@ import {tidyEvents, tidySetup, withoutMissingHelms} from './net/answers.js';
 import {setCauses} from './page/causes.js';
 import {setVehicles, vehicleColor} from './page/colors.js';
 import {Commands} from './panels/commands.js';
-import {setText} from './page/dom.js';
+import {byId, setText} from './page/dom.js';
 import {BackgroundDesk} from './page/background_desk.js';
 import {fillHelp} from './page/help.js';
 import {listenToKeys, showPressed} from './page/keys.js';
@@ -18,7 +18,7 @@ import {EventsPanel} from './panels/panel_events.js';
 import {StatusPanel} from './panels/panel_status.js';
 import {VehiclePanel} from './panels/panel_vehicle.js';
 import {recordingInPage} from './net/page_recording.js';
-import {openStream, Requests} from './net/requests.js';
+import {failureOf, openStream, Requests} from './net/requests.js';
 import {LiveSource, RecordedSource} from './net/source.js';
 import {Tabs} from './page/tabs.js';
 import {fileName, missionTime, quantity} from './page/text.js';
@@ -35,12 +35,20 @@ const kNearEvent_s = 10;
 const kEndedKey = 'shoal-ended';
 const kVerdictTries = 8;
 
-const find = (id) => document.getElementById(id);
 const pause = (ms) => new Promise((done) => { setTimeout(done, ms); });
 
 class Page {
   constructor(requests) {
     this.requests = requests;
+    // Made by begin(), with the first setup.
+    /** @type {any} By name: each has show(), some reset() and restyle(). */
+    this.panels = {};
+    /** @type {any} */
+    this.commands = null;
+    /** @type {any} */
+    this.world = null;
+    /** @type {any} */
+    this.setup = null;
     /** @type {any} LiveSource or, with isRecorded, RecordedSource. */
     this.source = null;
     this.frame = null;
@@ -53,21 +61,21 @@ class Page {
     this.connection = ['connecting', ''];
     this.top = new TopBar((name, on) => this.setLayer(name, on),
         (style) => this.setPulseStyle(style), (files) => this.backgrounds.put(files));
-    this.tabs = new Tabs(find('side'), () => this.#showPanels());
-    this.map = new MapView(find('map'), {
+    this.tabs = new Tabs(byId('side'), () => this.#showPanels());
+    this.map = new MapView(byId('map'), {
       onVehicle: (name) => this.#clickVehicle(name),
       onPlace: (place) => this.commands?.place(place),
       onPointer: (place) => this.#showPointer(place),
       onView: () => this.keeper?.changed(),
     });
-    this.backgrounds = new BackgroundDesk(this, find('stage'));
-    this.film = new MapFilm(find('map'), (film) => {
+    this.backgrounds = new BackgroundDesk(this, byId('stage'));
+    this.film = new MapFilm(byId('map'), (film) => {
       this.map.titled = false;
       this.#download(film, 'webm');
     });
-    this.verdict = new VerdictBox(find('verdict'));
+    this.verdict = new VerdictBox(byId('verdict'));
     this.keeper = new ViewKeeper(this);
-    fillHelp(find('help'));
+    fillHelp(byId('help'));
     listenToKeys(this);
   }
 
@@ -92,16 +100,16 @@ class Page {
     };
     this.source = this.isRecorded ? new RecordedSource(setup, this.requests, listener)
       : new LiveSource(setup, this.requests, listener, openStream);
-    if (this.isRecorded && !this.isPlanned) this.timeline = new Timeline(find('timeline'), this.source);
+    if (this.isRecorded && !this.isPlanned) this.timeline = new Timeline(byId('timeline'), this.source);
     this.panels = {
-      vehicle: new VehiclePanel(this, find('panel-vehicle')),
-      comms: new CommsPanel(this, find('panel-comms')),
-      data: new DataPanel(this, find('panel-data')),
-      status: new StatusPanel(this, find('panel-status')),
-      events: new EventsPanel(this, find('panel-events')),
-      plan: new PlanPanel(this, find('panel-plan')),
+      vehicle: new VehiclePanel(this, byId('panel-vehicle')),
+      comms: new CommsPanel(this, byId('panel-comms')),
+      data: new DataPanel(this, byId('panel-data')),
+      status: new StatusPanel(this, byId('panel-status')),
+      events: new EventsPanel(this, byId('panel-events')),
+      plan: new PlanPanel(this, byId('panel-plan')),
     };
-    this.commands = new Commands(this, find('panel-commands'), (name) => this.#showAim(name));
+    this.commands = new Commands(this, byId('panel-commands'), (name) => this.#showAim(name));
     const hasEnded = this.isRecorded && sessionStorage.getItem(kEndedKey) !== null;
     sessionStorage.removeItem(kEndedKey);
     this.#showMission();
@@ -171,9 +179,7 @@ class Page {
 
   setTheme(theme) {
     document.documentElement.className = theme;
-    /** @type {{show: (visible: boolean) => void, restyle?: () => void}[]} */
-    const panels = Object.values(this.panels ?? {});
-    for (const panel of panels) panel.restyle?.();
+    for (const panel of Object.values(this.panels)) panel.restyle?.();
     this.keeper.changed();
   }
 
@@ -215,7 +221,7 @@ class Page {
 
   // Only the frame at an event's time knows where its vehicle was.
   #centreWanted(frame) {
-    const {name, t} = this.wanted;
+    const {name, t} = /** @type {{name: string, t: number}} */ (this.wanted);
     const {got_t, playing} = this.source;
     const isElsewhere = Math.abs(this.source.t - t) > kNearEvent_s;
     if (!isElsewhere && (playing ? got_t < t : got_t !== t)) return;
@@ -258,7 +264,7 @@ class Page {
     this.frame = null;
     this.numEvents = null;
     this.ended = false;
-    this.verdict.show(null);
+    this.verdict.show(null, false);
     this.top.showResult(null);
     this.openLink(null, null);
     this.#showMission();
@@ -319,7 +325,7 @@ class Page {
   }
 
   #showPanels() {
-    for (const [name, panel] of Object.entries(this.panels ?? {})) {
+    for (const [name, panel] of Object.entries(this.panels)) {
       panel.show(name === this.tabs.current);
     }
     this.panels_ms = -Infinity;
@@ -327,15 +333,15 @@ class Page {
   }
 
   #showPointer(place) {
-    setText(find('pointer'), !place ? ''
+    setText(byId('pointer'), !place ? ''
       : `x ${quantity(place.x, 1)}  y ${quantity(place.y, 1)} m   `
         + `${quantity(place.lat, 6)}°  ${quantity(place.lon, 6)}°`);
   }
 
   #showAim(name) {
-    find('aim').hidden = name === null;
-    setText(find('aim'), name === null ? '' : `Click where ${name} is to go. Esc: not at all.`);
-    find('stage').classList.toggle('aiming', name !== null);
+    byId('aim').hidden = name === null;
+    setText(byId('aim'), name === null ? '' : `Click where ${name} is to go. Esc: not at all.`);
+    byId('stage').classList.toggle('aiming', name !== null);
   }
 
   #draw() {
@@ -375,8 +381,9 @@ async function start() {
       page.begin(tidySetup(await requests.get('/api/setup')));
       return;
     } catch (error) {
-      if (error.status === undefined) throw error;
-      page.top.showConnection('lost', error.message, null);
+      const {status, message} = failureOf(error);
+      if (status === undefined) throw error;
+      page.top.showConnection('lost', message, null);
       await pause(kRetry_ms);
     }
   }

@@ -1,6 +1,6 @@
 // The page of a campaign's report.
 
-import {element, setText} from '../page/dom.js';
+import {byId, element, setText} from '../page/dom.js';
 import {caseNotes, kAll, kOutcomes, Report} from './report_data.js';
 import {clipped, countOf, countText, valueText} from './report_numbers.js';
 import {curveMarks, histogramMarks, kOutcomeTicks, rangeOf, scaleOf, trialMarks}
@@ -10,7 +10,6 @@ import {lineColors, ReportChart} from './report_chart.js';
 import {TrialList} from './report_trials.js';
 import {showTable} from './report_table.js';
 
-const byId = (id) => document.getElementById(id);
 
 class ReportPage {
   constructor(report) {
@@ -152,4 +151,4 @@ class ReportPage {
   #list(title, rows) { this.trials.show(title, rows, this.#quantity()); }
 }
 
-globalThis.shoalReport = new ReportPage(new Report(JSON.parse(byId('data').textContent)));
+globalThis.shoalReport = new ReportPage(new Report(JSON.parse(byId('data').textContent ?? '')));

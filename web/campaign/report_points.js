@@ -129,7 +129,7 @@ export function histogramMarks(report, quantity, lines) {
   const num = Math.min(60, Math.max(5, Math.floor(Math.sqrt(largest))));
   const edge = (i) => low + (high - low) * i / num;
   const marks = Array.from({length: num}, (_, i) => ({begin: edge(i), end: edge(i + 1),
-    x: edge(i + 0.5), y: 0, text: '', counts: lines.map(() => 0), rows: []}));
+    x: edge(i + 0.5), y: 0, text: '', counts: lines.map(() => 0), rows: /** @type {any[]} */ ([])}));
   values.forEach((of, line) => {
     for (const {row, value} of of) {
       const bin = Math.min(num - 1, Math.max(0, Math.floor((value - low) / (high - low) * num)));

@@ -16,7 +16,7 @@ async function copy(text, node) {
     return true;
   } catch {
     // A browser without that leave may still copy what is selected.
-    globalThis.getSelection().selectAllChildren(node);
+    globalThis.getSelection()?.selectAllChildren(node);
     return document.execCommand('copy');
   }
 }

@@ -46,8 +46,10 @@ export function placeOnTrail(trail, t) {
  *            floor: (number | null)[]}}
  */
 export function depthSection(answer, trail, floor) {
+  /** @type {ReturnType<typeof depthSection>} */
   const section = {way_m: [], depth: [], desired: [], floor: []};
   const times = Array.isArray(answer?.t) ? answer.t : [];
+  /** @type {{x: number, y: number} | null} */
   let last = null;
   let way_m = 0;
   times.forEach((t, i) => {

@@ -64,7 +64,8 @@ export function joinSeries(answers) {
     const column = new Array(t.length).fill(null);
     series.t.forEach((time, i) => {
       const value = series.value[i];
-      if (isRow(series, i) && Number.isFinite(value)) column[rows.get(time)] = value;
+      const row = rows.get(time);
+      if (row !== undefined && isRow(series, i) && Number.isFinite(value)) column[row] = value;
     });
     return column;
   });

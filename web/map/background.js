@@ -4,6 +4,7 @@
 // Files may hold anything: sizes and counts are bounded, texts are never markup, and an image is
 // drawn as pixels alone.
 
+import {failureOf} from '../net/requests.js';
 import {bearingDegrees, isNumber} from './geometry.js';
 import {readGeoTiff} from './geotiff.js';
 import {drawGroundImage, groundImage, placeInBox} from './ground_image.js';
@@ -157,7 +158,7 @@ export class Backgrounds {
   /**
    * Takes files. An image that does not state its place goes to `view`, which has left, right,
    * bottom and top. Returns texts for the user, one for each file that needs one.
-   * @param mission  the box of the mission; null: not known
+   * @param {any} mission  the box of the mission; null: not known
    */
   async take(files, frame, view, mission = null) {
     const words = [];
@@ -177,7 +178,7 @@ export class Backgrounds {
         try {
           words.push(await this.#takeOne(file, worlds.get(stem(file.name)), {frame, view, mission}));
         } catch (error) {
-          words.push(`${file.name}: ${error.message}`);
+          words.push(`${file.name}: ${failureOf(error).message}`);
         }
       }
     }
@@ -185,7 +186,10 @@ export class Backgrounds {
     return words.filter(Boolean);
   }
 
-  /** Puts tiles under the rest; returns a text for the user, or "". */
+  /**
+   * Puts tiles under the rest; returns a text for the user, or "".
+   * @param {any} mission  as of take()
+   */
   addTiles(name, source, frame, mission = null) {
     const layer = new TileLayer(source, frame, () => {
       this.version += 1;

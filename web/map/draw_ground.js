@@ -1,5 +1,6 @@
 // What lies under everything else: the sea floor with its contours, the grid, the op area.
 
+import {context2d} from '../page/dom.js';
 import {drawBackgrounds} from './background.js';
 import {floorContours, depthRange, isFloor} from './contours.js';
 import {gridStep, isNumber, metresText} from './geometry.js';
@@ -17,6 +18,7 @@ export class FloorPicture {
   contours;
   #floor;
   #range;
+  /** @type {HTMLCanvasElement | null} */
   #picture = null;
   #light = null;
 
@@ -55,16 +57,17 @@ export class FloorPicture {
         image.data[at + 3] = 255;
       }
     }
-    this.#picture = document.createElement('canvas');
-    this.#picture.width = nx;
-    this.#picture.height = ny;
-    this.#picture.getContext('2d').putImageData(image, 0, 0);
+    const picture = document.createElement('canvas');
+    picture.width = nx;
+    picture.height = ny;
+    this.#picture = picture;
+    context2d(picture).putImageData(image, 0, 0);
     this.#light = theme.light;
   }
 }
 
 function rgbOf(color) {
-  const probe = document.createElement('canvas').getContext('2d');
+  const probe = context2d(document.createElement('canvas'));
   probe.fillStyle = color;
   probe.fillRect(0, 0, 1, 1);
   return probe.getImageData(0, 0, 1, 1).data;

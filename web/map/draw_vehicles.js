@@ -1,6 +1,7 @@
 // The vehicles: hull by type, colour, heading; marks of those that are stale, stopped or selected;
 // and apart from the truth where the broker believes them to be.
 
+import {context2d} from '../page/dom.js';
 import {vehicleColor} from '../page/colors.js';
 import {isNumber} from './geometry.js';
 import {kFont} from './draw_theme.js';
@@ -55,7 +56,7 @@ function hatch(ctx) {
   if (hatching) return hatching;
   const tile = document.createElement('canvas');
   tile.width = tile.height = 6;
-  const pen = tile.getContext('2d');
+  const pen = context2d(tile);
   pen.fillStyle = '#8d99a3';
   pen.fillRect(0, 0, 6, 6);
   pen.strokeStyle = '#2a333a';

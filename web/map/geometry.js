@@ -6,6 +6,7 @@ const kRadians = Math.PI / 180;
 export const isNumber = Number.isFinite;
 
 /** Returns `value` where it is a finite number, `otherwise` where it is not. */
+/** @param {any} value @param {any} [otherwise] */
 export function finite(value, otherwise = 0) {
   return isNumber(value) ? value : otherwise;
 }
@@ -53,7 +54,7 @@ export function gridStep(metresPerPixel, leastPixels = 80) {
 export function scaleBarMetres(metresPerPixel, mostPixels = 180) {
   const most = metresPerPixel * mostPixels;
   const power = 10 ** Math.floor(Math.log10(most * (1 + 1e-9)));
-  const factor = [5, 2, 1].find((f) => f * power <= most * (1 + 1e-9));
+  const factor = [5, 2, 1].find((f) => f * power <= most * (1 + 1e-9)) ?? 1;
   return factor * power;
 }
 

@@ -191,7 +191,8 @@ function placeOf(tags, frame) {
         + 'WGS 84 degrees (gdalwarp -t_srs EPSG:4326 IN.tif OUT.tif), UTM or Web Mercator');
   }
   return (u, v) => {
-    const [lon, lat] = toGeo(...model(u, v));
+    const [e, north] = model(u, v);
+    const [lon, lat] = toGeo(e, north);
     return frame.toLocal(lat, lon);
   };
 }

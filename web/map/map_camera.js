@@ -10,17 +10,24 @@ const kScaleBar = 44;
 const kReach_m = 2e6;
 
 export class Camera {
+  cx = 0;
+  cy = 0;
+  metresPerPixel = 1;
+
   constructor(width, height, cx = 0, cy = 0, metresPerPixel = 1) {
     this.width = Math.max(1, width);
     this.height = Math.max(1, height);
     this.set(cx, cy, metresPerPixel);
   }
 
-  /** What is not finite stays as it is; the rest is kept in bounds. */
+  /**
+   * What is not finite stays as it is; the rest is kept in bounds.
+   * @param {number | undefined} cx @param {number | undefined} cy @param {number} [metresPerPixel]
+   */
   set(cx, cy, metresPerPixel) {
     if (isNumber(cx)) this.cx = clamp(cx, -kReach_m, kReach_m);
     if (isNumber(cy)) this.cy = clamp(cy, -kReach_m, kReach_m);
-    if (isNumber(metresPerPixel) && metresPerPixel > 0) {
+    if (metresPerPixel !== undefined && isNumber(metresPerPixel) && metresPerPixel > 0) {
       this.metresPerPixel = clamp(metresPerPixel, kLeastScale, kMaxScale);
     }
   }

@@ -11,9 +11,12 @@ export function filmType(isSupported = (type) => globalThis.MediaRecorder?.isTyp
 }
 
 export class MapFilm {
+  /** @type {MediaRecorder | null} */
   #recorder = null;
+  /** @type {Blob[]} */
   #parts = [];
-  #timer = null;
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  #timer;
 
   /** @param onEnd  gets the film, a Blob, whoever ended it */
   constructor(canvas, onEnd) {

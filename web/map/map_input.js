@@ -10,7 +10,7 @@ export class MapInput {
   #canvas;
   #actions;
   #pointers = new Map();  // id -> {x, y}
-  #start = null;          // Of a press that may become a click.
+  #start = {x: 0, y: 0};  // Of a press that may become a click.
   #moved = false;
   #taken = false;
 
@@ -66,7 +66,7 @@ export class MapInput {
   }
 
   #pinch(id, before, place) {
-    const other = [...this.#pointers].find(([key]) => key !== id)[1];
+    const other = ([...this.#pointers].find(([key]) => key !== id) ?? [id, before])[1];
     const apart = (a, b) => Math.max(10, Math.hypot(a.x - b.x, a.y - b.y));
     this.#actions.zoom(apart(place, other) / apart(before, other), (place.x + other.x) / 2,
                        (place.y + other.y) / 2);

@@ -2,6 +2,8 @@
 // the view moves the picture is moved and scaled; it is drawn again when its content changed, now
 // and then while it does not fit the view, and when the view has come to rest.
 
+import {context2d} from '../page/dom.js';
+
 const kMargin = 96;
 const kRest_ms = 140;
 // While the view moves the picture is drawn again at this interval, on a slow machine once in this
@@ -39,12 +41,14 @@ export class Motion {
 export class MapLayer {
   #canvas = document.createElement('canvas');
   #context;
+  /** @type {(import('./map_camera.js').Camera & {ratio?: number}) | null} */
   #camera = null;
+  /** @type {string | null} */
   #key = null;
   #drawn_ms = -Infinity;
 
   constructor({opaque = false} = {}) {
-    this.#context = this.#canvas.getContext('2d', {alpha: !opaque});
+    this.#context = context2d(this.#canvas, {alpha: !opaque});
   }
 
   /** Milliseconds since the picture was drawn. */
@@ -57,11 +61,10 @@ export class MapLayer {
   show(target, camera, ratio, key, nowMs, motion, draw) {
     if (this.#mustDraw(camera, ratio, key, this.age(nowMs), motion)) {
       this.#draw(camera.widened(kMargin), ratio, draw);
-      this.#camera.ratio = ratio;
       this.#key = key;
       this.#drawn_ms = nowMs;
     }
-    const own = this.#camera;
+    const own = this.#camera ?? camera;
     const scale = own.metresPerPixel / camera.metresPerPixel;
     // Whole device pixels keep thin lines sharp.
     const left = Math.round(camera.sx(own.x(0)) * ratio) / ratio;
@@ -90,6 +93,7 @@ export class MapLayer {
     this.#context.clearRect(0, 0, width, height);
     this.#context.setTransform(ratio, 0, 0, ratio, 0, 0);
     draw(this.#context, camera);
+    camera.ratio = ratio;
     this.#camera = camera;
   }
 }

@@ -53,13 +53,18 @@ export class MapPainter {
   motion = new Motion();
   /** What a user has put under the mission. */
   backgrounds = new Backgrounds();
+  /** @type {any} */
   #world = null;
   #area = [];
   #surveys = [];
+  /** @type {any[]} */
   #obstacles = [];
+  /** @type {any[]} */
   #coverage = [];
+  /** @type {FloorPicture | null} */
   #floor = null;
   #plan = new PresentPlan(null);
+  /** @type {any[]} */
   #kept = [];
   #version = 0;   // Of the setup and the choice of layers.
   #ground = new MapLayer({opaque: true});

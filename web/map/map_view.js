@@ -4,6 +4,7 @@
 //   map.setWorld(world, setup);
 //   requestAnimationFrame(function show(now) { map.draw(now); requestAnimationFrame(show); });
 
+import {context2d} from '../page/dom.js';
 import {drawTitle} from './draw_overlay.js';
 import {kPulseStyles} from './draw_signals.js';
 import {readTheme} from './draw_theme.js';
@@ -27,27 +28,39 @@ export class MapView {
   #events;
   #camera;
   #ratio = 1;
+  /** @type {any} */
   #theme = null;
   #frame = new LocalFrame(null);
+  /** @type {import('./world.js').World | null} */
   #world = null;
+  /** @type {any} Of /api/setup. */
   #setup = null;
   #layers = {...kLayers};
+  /** @type {string | null} */
   #follow = null;
+  /** @type {string | null} */
   #selected = null;
+  /** @type {any} */
   #link = null;
   #pulseStyle = kPulseStyles[0][0];
+  /** @type {string | null} */
   #hovered = null;
+  /** @type {any} */
   #mark = null;
   #measuring = false;
-  #ends = [];         // Of the measured distance.
+  /** @type {any[]} Of the measured distance. */
+  #ends = [];
   /** @type {string | false} How far the user is with it. */
   #open = false;
+  /** @type {{t: number, vehicles: any[]}} */
   #shown = {t: 0, vehicles: []};
   #wantFit = true;    // Until a view was asked for, the whole mission is shown.
-  #fitted = null;     // The view after the last fit().
+  /** @type {any} The view after the last fit(). */
+  #fitted = null;
   #painter = new MapPainter();
   /** @type {import('../plan/plan_layer.js').PlanLayer | null} */
   #planLayer = null;
+  /** @type {any[]} */
   #missionEvents = [];
   #isPlanned = false;  // Another plan than the mission's is drawn.
   /** Title and time are drawn, as in a picture that is saved. */
@@ -59,7 +72,7 @@ export class MapView {
    */
   constructor(canvas, events = {}) {
     this.#canvas = canvas;
-    this.#ctx = canvas.getContext('2d', {alpha: false});
+    this.#ctx = context2d(canvas, {alpha: false});
     this.#events = events;
     this.#camera = new Camera(canvas.clientWidth, canvas.clientHeight);
     this.#resize();
@@ -257,7 +270,7 @@ export class MapView {
     const picture = document.createElement('canvas');
     picture.width = this.#canvas.width;
     picture.height = this.#canvas.height;
-    const ctx = picture.getContext('2d', {alpha: false});
+    const ctx = context2d(picture, {alpha: false});
     ctx.setTransform(this.#ratio, 0, 0, this.#ratio, 0, 0);
     this.#paint(ctx, performance.now());
     this.#paintTitle(ctx);

@@ -16,7 +16,10 @@ const isTile = (z, x, y) => Number.isInteger(z) && Number.isInteger(x) && Number
 export class HeldTiles {
   #tiles = new Map();
   zooms = {least: Infinity, most: -Infinity};
-  /** Of the tiles of the lowest zoom: {z, left, right, top, bottom} in columns and rows. */
+  /**
+   * Of the tiles of the lowest zoom, in columns and rows.
+   * @type {{z: number, left: number, right: number, top: number, bottom: number} | null}
+   */
   extent = null;
 
   add(z, x, y, blobOf) {

@@ -1,5 +1,7 @@
 // The backgrounds that the mission names: their files and tiles, asked of the viewer.
 
+import {failureOf} from '../net/requests.js';
+
 const kMaxNamed = 20;
 
 const isWhole = (value) => Number.isInteger(value) && value >= 0;
@@ -43,7 +45,8 @@ export async function addNamed(named, requests, map, isWanted) {
       if (!isWanted()) return [];
       words.push(...await map.addBackgrounds(files));
     } catch (error) {
-      words.push(error.message.includes(name) ? error.message : `${name}: ${error.message}`);
+      const {message} = failureOf(error);
+      words.push(message.includes(name) ? message : `${name}: ${message}`);
     }
   }
   return words.filter(Boolean);

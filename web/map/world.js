@@ -70,13 +70,17 @@ function blend(shown, a, b, fraction, span_s) {
 export class World {
   #setup;
   #recorded;
-  #last = null;      // {frame, byName, arrived_ms}
-  #previous = null;  // The frame before; null after a break.
+  /** @type {{frame: any, byName: Map<string, any>, arrived_ms: number} | null} */
+  #last = null;
+  /** @type {{frame: any, byName: Map<string, any>, arrived_ms: number} | null} null after a break. */
+  #previous = null;
   #interval_ms = 67;
+  /** @type {number | null} */
   #time_s = null;
   #trails = new Map();
   #pulses = new Map();
   #packets = new Map();
+  /** @type {{t: number, vehicles: any[]}} */
   #shown = {t: 0, vehicles: []};
   #entries = new Map();
 
@@ -138,7 +142,8 @@ export class World {
   at(nowMs) {
     const shown = this.#shown;
     if (!this.#last) return shown;
-    const {a, b, fraction} = this.#recorded ? this.#framesAtTime() : this.#framesAtWall(nowMs);
+    const {a, b, fraction} = this.#recorded ? this.#framesAtTime(this.#last)
+      : this.#framesAtWall(this.#last, nowMs);
     const span_s = a ? b.frame.t - a.frame.t : 0;
     shown.t = a ? a.frame.t + span_s * fraction : b.frame.t;
     shown.vehicles.length = 0;
@@ -208,16 +213,15 @@ export class World {
     return speed_mps > 100 && speed_mps < 1e5 ? speed_mps : 1500;
   }
 
-  #framesAtWall(nowMs) {
-    const [a, b] = [this.#previous, this.#last];
-    return {a, b, fraction: clamp((nowMs - b.arrived_ms) / this.#interval_ms, 0, 1)};
+  #framesAtWall(b, nowMs) {
+    return {a: this.#previous, b, fraction: clamp((nowMs - b.arrived_ms) / this.#interval_ms, 0, 1)};
   }
 
   // Runs on beyond the later frame by the time between the two at most.
-  #framesAtTime() {
-    const [one, other] = [this.#previous, this.#last];
+  #framesAtTime(other) {
+    const one = this.#previous;
     const span_s = one ? Math.abs(other.frame.t - one.frame.t) : 0;
-    if (!(span_s > 0 && span_s <= kBreak_s)) return {a: null, b: other, fraction: 1};
+    if (!one || !(span_s > 0 && span_s <= kBreak_s)) return {a: null, b: other, fraction: 1};
     const [a, b] = one.frame.t < other.frame.t ? [one, other] : [other, one];
     const fraction = ((this.#time_s ?? other.frame.t) - a.frame.t) / span_s;
     // The time is that of a frame that is still to come.

@@ -69,7 +69,10 @@ export class PageChannels {
     const places = [...channel.fields.keys()].filter((i) => (
       channel.fields[i][0] === path || general(channel.fields[i][0]) === path));
     if (places.length === 0) throw new RequestError(`${field}: no such field`, 404);
-    const [times, texts] = [[], []];
+    /** @type {number[]} */
+    const times = [];
+    /** @type {string[]} */
+    const texts = [];
     for (const row of channel.samples.slice(0, this.#until(channel, t)).slice(-kMaxPoints)) {
       const values = [...new Set(places.map((i) => row[i + 2]).filter((value) => value !== null))];
       if (row[0] < t - window_s || values.length === 0) continue;

@@ -36,11 +36,13 @@ export class States {
   constructor(changes) {
     this.changes = Array.isArray(changes) ? changes : [];
     this.checkpoints = [];
+    /** @type {{place: number, state: any}} */
     this.last = {place: -1, state: null};
   }
 
   get length() { return this.changes.length; }
 
+  /** @returns {any} */
   at(place) {
     if (!(place >= 0) || this.length === 0) return null;
     const wanted = Math.min(Math.floor(place), this.length - 1);

@@ -11,6 +11,14 @@ export class RequestError extends Error {
   }
 }
 
+/**
+ * What went wrong, of whatever was thrown; without a status where it was no RequestError.
+ * @param {any} error @returns {{message: string, status: number | undefined}}
+ */
+export function failureOf(error) {
+  return {message: String(error?.message ?? error), status: error?.status};
+}
+
 export class Requests {
   /** @param token  of the page's address; empty: none */
   constructor(token, fetchFrom = (path, options) => fetch(path, options)) {

@@ -6,6 +6,7 @@
 //
 // After each loss it asks /api/setup again; another `boot` means that everything is new.
 
+import {failureOf} from './requests.js';
 import {tidyFrame, tidySetup} from './answers.js';
 
 const kSilence_ms = 2200;       // Frames come twice per second at least.
@@ -60,7 +61,7 @@ export class LiveSource {
 
   /** Counts silence as a lost connection; for a timer. */
   watch() {
-    if (this.stream && this.now() - this.received_ms > kSilence_ms) this.#lose('no news');
+    if (this.stream && this.now() - (this.received_ms ?? 0) > kSilence_ms) this.#lose('no news');
   }
 
   /** Mission time is not asked for: it is now. */
@@ -137,7 +138,7 @@ export class LiveSource {
       this.#listen();
     } catch (error) {
       if (this.stopped) return;
-      this.#enter('lost', error.message);
+      this.#enter('lost', failureOf(error).message);
       this.#retryLater();
     }
   }
@@ -265,7 +266,7 @@ export class RecordedSource {
   tick() {
     const now_ms = this.now();
     if (this.playing) {
-      const t = this.t + this.speed * (now_ms - this.ticked_ms) / 1000;
+      const t = this.t + this.speed * (now_ms - (this.ticked_ms ?? now_ms)) / 1000;
       this.ticked_ms = now_ms;
       this.t = Math.min(this.setup.end_s, t);
       if (this.t >= this.setup.end_s) this.pause();
@@ -301,7 +302,7 @@ export class RecordedSource {
     } catch (error) {
       this.ready_ms = this.now() + this.backoff_ms;
       this.backoff_ms = Math.min(kLongestBackoff_ms, 2 * this.backoff_ms);
-      this.#enter('lost', error.message);
+      this.#enter('lost', failureOf(error).message);
     } finally {
       this.asking = false;
     }

@@ -42,8 +42,8 @@ function leave(port) {
   }
 }
 
-self.addEventListener('connect', (/** @type {MessageEvent} */ connection) => {
-  const port = connection.ports[0];
+self.addEventListener('connect', (event) => {
+  const port = /** @type {MessageEvent} */ (event).ports[0];
   port.onmessage = ({data}) => {
     if (typeof data.open === 'string') {
       leave(port);

@@ -15,8 +15,8 @@ export class BackgroundDesk {
     page.map.onBackgroundProblem = (words) => this.#note([words]);
     // Files that are dropped anywhere else must not replace the page.
     for (const type of ['dragover', 'drop']) {
-      document.addEventListener(type, (/** @type {DragEvent} */ event) => {
-        if (event.dataTransfer?.types?.includes('Files')) event.preventDefault();
+      document.addEventListener(type, (event) => {
+        if (/** @type {DragEvent} */ (event).dataTransfer?.types?.includes('Files')) event.preventDefault();
       });
     }
     stage.addEventListener('drop', async (event) => {

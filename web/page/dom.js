@@ -20,6 +20,20 @@ export function element(tag, attributes = {}, ...children) {
   return made;
 }
 
+/** Returns the element of the page with this id: index.html has it. @returns {HTMLElement} */
+export function byId(id) {
+  const found = document.getElementById(id);
+  if (!found) throw new Error(`the page has no element #${id}`);
+  return found;
+}
+
+/** Returns what draws on a canvas. @returns {CanvasRenderingContext2D} */
+export function context2d(canvas, options = {}) {
+  const context = canvas.getContext('2d', options);
+  if (!context) throw new Error('the browser draws on no canvas');
+  return context;
+}
+
 /** Sets the text of `node`, which holds no elements, where it is another one. */
 export function setText(node, text) {
   if (node.textContent !== text) node.textContent = text;

@@ -1,6 +1,6 @@
 // What keys and the buttons above the map do.
 
-import {setAttribute} from './dom.js';
+import {byId, setAttribute} from './dom.js';
 import {actionOf} from './help.js';
 import {kLayers} from './top_bar.js';
 
@@ -45,7 +45,7 @@ function escape(page) {
   else if (page.map.measuring) measure(page);
   else if (page.link && page.tabs.current === 'comms') page.openLink(null, null);
   else if (page.selected) page.select(null);
-  else document.getElementById('notes').hidden = true;
+  else byId('notes').hidden = true;
 }
 
 function showHelp() {

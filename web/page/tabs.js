@@ -1,6 +1,6 @@
 // The panels at the side, one of which is seen. Arrow keys move between the tabs.
 
-import {setAttribute} from './dom.js';
+import {byId, setAttribute} from './dom.js';
 
 export class Tabs {
   /** @param onChange  gets the name of the tab that is now seen */
@@ -25,7 +25,7 @@ export class Tabs {
       const chosen = button.dataset.tab === name;
       setAttribute(button, 'aria-selected', String(chosen));
       setAttribute(button, 'tabindex', chosen ? '0' : '-1');
-      document.getElementById(button.getAttribute('aria-controls')).hidden = !chosen;
+      byId(button.getAttribute('aria-controls')).hidden = !chosen;
     }
     this.onChange(name);
   }

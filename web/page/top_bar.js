@@ -1,6 +1,6 @@
 // The line above the map: mission, time, state of the clock, connection; and the layers' menu.
 
-import {element, setAttribute, setText} from './dom.js';
+import {byId, element, setAttribute, setText} from './dom.js';
 import {kPulseStyles} from '../map/draw_signals.js';
 import {clip, missionTime, quantity} from './text.js';
 
@@ -68,7 +68,7 @@ const kConnections = {connecting: '… connecting', live: '● live', lost: '⚠
 
 export class TopBar {
   constructor(onLayer, onPulseStyle, onFiles) {
-    const find = (id) => document.getElementById(id);
+    const find = byId;
     this.mission = find('mission');
     this.clock = find('clock-time');
     this.state = find('clock-state');
@@ -99,7 +99,7 @@ export class TopBar {
       onchange: () => onFiles(this.folder.files)});
     rows.push(element('div', {class: 'choice'}, this.file, this.remove),
       element('label', {class: 'choice'}, 'Folder of tiles ', this.folder));
-    this.layers.querySelector('fieldset').replaceChildren(...rows);
+    this.layers.querySelector('fieldset')?.replaceChildren(...rows);
     document.addEventListener('pointerdown', (event) => {
       if (!this.layers.contains(/** @type {Node} */ (event.target))) this.layers.open = false;
     });
@@ -120,7 +120,7 @@ export class TopBar {
   /** Closes the menu of layers; its button has the focus then. */
   closeLayers() {
     this.layers.open = false;
-    this.layers.querySelector('summary').focus();
+    this.layers.querySelector('summary')?.focus();
   }
 
   /** @param names  of the files that lie under the mission */
@@ -132,7 +132,7 @@ export class TopBar {
 
   /** Shows texts beside the map, until they are closed. */
   note(texts) {
-    const notes = document.getElementById('notes');
+    const notes = byId('notes');
     notes.hidden = texts.length === 0;
     const close = element('button', {type: 'button', class: 'close',
       'aria-label': 'Close the notes', onclick: () => { notes.hidden = true; }}, '✕');

@@ -1,5 +1,6 @@
 // Orders to vehicles, to the broker and to the mission's clock, and what became of them.
 
+import {failureOf} from '../net/requests.js';
 import {element, KeyedList, setAttribute, setText} from '../page/dom.js';
 import {clip, missionTime, quantity} from '../page/text.js';
 
@@ -32,6 +33,7 @@ export class Commands {
     this.onAim = onAim;
     this.aimed = null;
     this.mark = null;
+    /** @type {any[]} */
     this.unsent = [];
     this.refusals = 0;
     this.allowed = Boolean(page.setup.commands);
@@ -79,7 +81,7 @@ export class Commands {
     this.last = frame;
     if (!this.allowed) return;
     const all = [...frame.commands, ...this.unsent].sort((a, b) => a.t - b.t || a.id - b.id);
-    this.rows.sync(all.reverse().slice(0, 20), ({id}) => String(id));
+    this.rows?.sync(all.reverse().slice(0, 20), ({id}) => String(id));
     const {clock, rules} = frame;
     setText(this.clockState, clock.state === 'paused' ? 'Paused.'
       : `${clock.state}, ${quantity(clock.factor, 2)} × real time. ${clip(clock.note ?? '', 200)}`);
@@ -98,7 +100,7 @@ export class Commands {
       const order = [target, ...words].join(' ');
       this.refusals += 1;
       this.unsent.push({id: -this.refusals, t: this.last?.t ?? 0, text: order, state: 'refused',
-        reason: error.message});
+        reason: failureOf(error).message});
       this.unsent.splice(0, this.unsent.length - kMaxUnsent);
       if (this.last) this.frame(this.last);
       return null;

@@ -52,6 +52,9 @@ export class HeatMap {
     });
     this.canvas.addEventListener('keydown', (event) => this.#key(event));
     this.place = [0, 0];
+    this.cell = 1;
+    /** @type {string[]} */
+    this.names = [];
   }
 
   /** @param shares  Map of "from>to" to a share, null: nothing offered */

@@ -1,5 +1,6 @@
 // All channels with their last messages, and charts of any of their fields.
 
+import {failureOf} from '../net/requests.js';
 import {FieldChart} from '../charts/field_chart.js';
 import {kMaxCharts, kMaxFields} from '../charts/field_series.js';
 import {Poller} from '../net/poller.js';
@@ -172,7 +173,8 @@ export class DataPanel {
       this.channels = Array.isArray(answer.channels) ? answer.channels : [];
       this.#showChannels();
     } catch (error) {
-      if (error.status === 404) setText(this.note, clip(error.message));
+      const {status, message} = failureOf(error);
+      if (status === 404) setText(this.note, clip(message));
       throw error;
     }
   }
@@ -226,9 +228,10 @@ export class DataPanel {
     try {
       answer = await this.page.requests.get('/api/message', {channel, ...this.page.query()});
     } catch (error) {
-      if (error.status === 404 && channel === this.channel) {
+      const {status, message} = failureOf(error);
+      if (status === 404 && channel === this.channel) {
         this.values.clear();
-        setText(this.about, clip(error.message));
+        setText(this.about, clip(message));
       }
       throw error;
     }
@@ -289,8 +292,9 @@ export class DataPanel {
       const answer = await this.page.requests.get('/api/series', {field, window, ...query});
       return Array.isArray(answer.t) && Array.isArray(answer.value) ? answer : null;
     } catch (error) {
-      if (error.status === 404 || error.status === 400) {
-        return {t: [], value: [], number: true, error: error.message};
+      const {status, message} = failureOf(error);
+      if (status === 404 || status === 400) {
+        return {t: [], value: [], number: true, error: message};
       }
       throw error;
     }

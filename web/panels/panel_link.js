@@ -1,5 +1,6 @@
 // The history of one link: why it failed how often, its ratio and range over time, its last fates.
 
+import {failureOf} from '../net/requests.js';
 import {causeWords, fateSign, isBlocked} from '../page/causes.js';
 import {TimeChart} from '../charts/charts.js';
 import {element, KeyedList, setText} from '../page/dom.js';
@@ -39,7 +40,7 @@ export class LinkPanel {
     this.causeList = new KeyedList(this.causes, (cause) => this.#causeRow(cause));
     this.fateList = new KeyedList(this.fates, () => fateRow());
     this.poller = new Poller(page.isRecorded ? 300 : 1000, () => this.#ask(), () => (
-      page.isRecorded ? `${this.link.from}>${this.link.to}@${page.source.t}` : null));
+      page.isRecorded ? `${this.link?.from}>${this.link?.to}@${page.source.t}` : null));
   }
 
   /** @param {?{from: string, to: string}} link  null: none */
@@ -70,12 +71,14 @@ export class LinkPanel {
   }
 
   async #ask() {
+    if (!this.link) return;
     const {from, to} = this.link;
     let answer;
     try {
       answer = await this.page.requests.get('/api/link', {from, to, ...this.page.query()});
     } catch (error) {
-      if (error.status === 400 || error.status === 404) setText(this.kinds, error.message);
+      const {status, message} = failureOf(error);
+      if (status === 400 || status === 404) setText(this.kinds, message);
       throw error;
     }
     if (this.link?.from === from && this.link?.to === to) this.#update(answer);
@@ -117,7 +120,7 @@ export class LinkPanel {
       root,
       update: (item) => {
         setText(count, String(item.count));
-        bar.style.width = `${(100 * item.count) / this.most}%`;
+        bar.style.width = `${(100 * item.count) / (this.most ?? item.count)}%`;
       },
     };
   }

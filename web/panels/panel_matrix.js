@@ -70,6 +70,7 @@ export class LinkMatrix {
     parent.append(this.choice, this.count, this.heat.read, this.scroll);
     new ResizeObserver(() => this.#fit()).observe(this.scroll);
     this.cells = new Map();
+    /** @type {string | null} */
     this.shownNames = '';
   }
 
@@ -127,8 +128,8 @@ export class LinkMatrix {
   }
 
   #words(from, to) {
-    return `${from} to ${to}: ${cellWords(this.byKey.get(`${from}>${to}`) ?? null,
-      this.links.t).title}`;
+    return `${from} to ${to}: ${cellWords(this.byKey?.get(`${from}>${to}`) ?? null,
+      this.links?.t).title}`;
   }
 
   #clear() {

@@ -1,7 +1,8 @@
 // The panel in which a mission is planned: tools, places, what is wrong, the change as TOML, and what
 // becomes of it.
 
-import {element, setAttribute, setText} from '../page/dom.js';
+import {failureOf} from '../net/requests.js';
+import {byId, element, setAttribute, setText} from '../page/dom.js';
 import {clip} from '../page/text.js';
 import {changedLines, handleWords, PlanEditor, updatesBetween} from './plan_editor.js';
 import {kTools, PlanLayer} from './plan_layer.js';
@@ -64,7 +65,7 @@ export class PlanPanel {
     try {
       await work();
     } catch (error) {
-      this.#say(error.message, true);
+      this.#say(failureOf(error).message, true);
       if (this.editor.plan) this.#show(this.editor.plan);
     }
   }
@@ -180,8 +181,8 @@ export class PlanPanel {
     const kept = this.vehicle.value || this.page.selected;
     this.vehicle.replaceChildren(...vehicles.map((name) => element('option', {value: name}, name)));
     if (vehicles.includes(kept)) this.vehicle.value = kept;
-    for (const button of this.toolButtons) {
-      button.disabled = vehicles.length === 0 && kOfVehicle.includes(button.dataset.tool);
+    for (const button of this.toolButtons ?? []) {
+      button.disabled = vehicles.length === 0 && kOfVehicle.includes(button.dataset.tool ?? '');
     }
   }
 
@@ -195,7 +196,7 @@ export class PlanPanel {
   #showPoints() {
     const {chosen} = this.layer;
     const handle = chosen ? this.editor.plan?.handles[chosen.handle] : null;
-    if (!handle) {
+    if (!chosen || !handle) {
       this.points.replaceChildren();
       return;
     }
@@ -253,7 +254,7 @@ export class PlanPanel {
     }
     setText(this.hint, tool === '' ? '' : `${kToolLabels[tool][1]}. Esc: not at all.`);
     this.finishButton.hidden = tool === '' || numDrawn < kTools[tool].least;
-    document.getElementById('stage').classList.toggle('aiming', tool !== '');
+    byId('stage').classList.toggle('aiming', tool !== '');
   }
 
   #drawn(tool, points) {

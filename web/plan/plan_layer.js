@@ -33,6 +33,7 @@ export class PlanLayer {
   #tool = '';
   /** @type {[number, number][]} Of the tool. */
   #drawn = [];
+  /** @type {[number, number] | null} */
   #pointer = null;
   #events;
 
@@ -144,20 +145,29 @@ export class PlanLayer {
     else this.#events.onTool(this.#tool);
   }
 
-  /** Returns the point, or the middle of a leg, that is under a place of the screen. */
+  /**
+   * Returns the point, or the middle of a leg, that is under a place of the screen.
+   * @returns {{handle: number, point: number, insert: boolean} | null}
+   */
   #pointAt(camera, sx, sy, reach) {
-    let [best, least] = [null, reach];
+    /** @type {any} */
+    let best = null;
+    let least = reach;
     this.#each((handle, number, points) => {
       points.forEach(([x, y], point) => {
         const away = Math.hypot(camera.sx(x) - sx, camera.sy(y) - sy);
-        if (away <= least) [best, least] = [{handle: number, point, insert: false}, away];
+        if (away > least) return;
+        best = {handle: number, point, insert: false};
+        least = away;
       });
     });
     if (best) return best;
     this.#each((handle, number, points) => {
       for (const {point, x, y} of middlesOf(handle, points)) {
         const away = Math.hypot(camera.sx(x) - sx, camera.sy(y) - sy);
-        if (away <= least) [best, least] = [{handle: number, point, insert: true}, away];
+        if (away > least) continue;
+        best = {handle: number, point, insert: true};
+        least = away;
       }
     });
     return best;
