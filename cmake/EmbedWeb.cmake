@@ -19,7 +19,7 @@ if(CMAKE_SCRIPT_MODE_FILE)
     file(READ ${FOLDER}/${name} hex HEX)
     string(REGEX REPLACE "(................................)" "\\1\n" hex "${hex}")
     string(REGEX REPLACE "([0-9a-f][0-9a-f])" "0x\\1," hex "${hex}")
-    # An empty array is no C++; the size gives how much of it counts.
+    # An empty array is not C++; the size gives how much of it counts.
     string(APPEND arrays "const unsigned char kFile${number}[] = {\n${hex}0};\n")
     string(APPEND table
       "    {\"/${name}\", {kFile${number}, sizeof kFile${number} - 1}},\n")

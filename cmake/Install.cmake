@@ -58,7 +58,7 @@ if(SHOAL_MKDOCS)
     DEPENDS ${pages} README.md CONTRIBUTING.md CHANGELOG.md lib/README.md scripts/docs
     COMMENT "Making the site of the pages" VERBATIM)
   add_custom_target(docs_site DEPENDS ${CMAKE_BINARY_DIR}/site/index.html)
-  install(DIRECTORY ${CMAKE_BINARY_DIR}/site/ DESTINATION share/doc/shoal/html)
+  install(DIRECTORY ${CMAKE_BINARY_DIR}/site/ DESTINATION share/doc/shoal/html OPTIONAL)
 endif()
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/shoal)
 if(TARGET shoal_types_jar)

@@ -177,7 +177,7 @@ function(shoal_compile_as_its_kind target)
     target_compile_options(${target} PRIVATE ${SHOAL_STEP_OPTIONS})
   endif()
   target_compile_options(${target} PRIVATE ${SHOAL_LIBRARY_OPTIONS})
-  # The rooms for files that stand below a mission do not know its names.
+  # The rooms for files that are below a mission do not know its names.
   if(SHOAL_PCH AND (NOT floor STREQUAL mission OR room STREQUAL mission/file))
     target_precompile_headers(${target} REUSE_FROM shoal_pch_${kind})
     if(NOT kind STREQUAL pure)

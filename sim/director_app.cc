@@ -81,7 +81,7 @@ DirectorApp::DirectorApp(const Mission& mission, Bus& bus, Fates fates)
             [this](const unc_controls_req_t&) { controls_wanted_ = true; });
 }
 
-/// What another swarm sends is dropped by its group_id: that is no failure between two vehicles.
+/// What another swarm sends is dropped by its group_id: that is not a failure between two vehicles.
 void DirectorApp::TakeSwarm(size_t vehicle, const swarm_t& swarm) {
   const SwarmOptions* own = mission_.SwarmOf(mission_.vehicles[vehicle]);
   for (const swarm_source_t& source : swarm.sources) {

@@ -14,7 +14,7 @@ enum NewsBits : uint32_t { kEndsMission = 1, kIsInterrupted = 2, kHasEndOfAll = 
 constexpr uint32_t kNamed = uint32_t{1} << 31;
 /// In the place of a message's size: the bytes are those of the message before.
 constexpr uint32_t kSameBytes = 0xffffffff;
-/// Names and channels beyond these are no mission's: the batch is damaged.
+/// No mission has more names and channels than these: a batch with more is damaged.
 constexpr uint32_t kMaxBatchChannels = 10'000'000;
 
 void AppendNumber(uint32_t number, Bytes* bytes) {

@@ -11,7 +11,7 @@
 //   if (!reader.IsWhole()) return Fail();
 //
 // Numbers are in the machine's own order: all parts run the same version, with the same arithmetic.
-// A channel's name stands in the first message that a writer writes on it, and bytes that messages
+// A channel's name is in the first message that a writer writes on it, and bytes that messages
 // in a row share stand once.
 #pragma once
 

@@ -12,9 +12,9 @@
 
 namespace shoal {
 
-/// Knows the rate n of the commanded revolutions, in rpm/s. It is not 0 only while a propeller
-/// whose rate is limited (`max_propeller_rate_rpmps`) is on its way to its set point: one that is
-/// commanded at once is a constant one, as in muNet.
+/// Knows the rate n of the commanded revolutions, in rpm/s. It is 0, as in muNet, unless the rate
+/// of the propeller is limited (`max_propeller_rate_rpmps`) and its revolutions still change toward
+/// their set point.
 class PropellerWatch {
  public:
   /// ACTUATORS that are older than this state no rate.

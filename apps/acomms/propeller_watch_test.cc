@@ -71,7 +71,7 @@ TEST(PropellerWatch, BelievesNoRateBeyondTheLimitAndNoneThatIsOld) {
   PropellerWatch watch = WatchOf("munet", 50);
   const int64_t utime = Show(&watch, {1200, 0});
   const double stop_mps2 = watch.PlanOf(kOwn, utime).acceleration_mps2;
-  EXPECT_NEAR(stop_mps2, -50 * 0.000611108, 1e-12) << "an all-stop is no ramp";
+  EXPECT_NEAR(stop_mps2, -50 * 0.000611108, 1e-12) << "an all-stop is not a ramp";
   EXPECT_EQ(watch.PlanOf(kOwn, utime + PropellerWatch::kTimeout_us).acceleration_mps2, stop_mps2);
   EXPECT_EQ(watch.PlanOf(kOwn, utime + PropellerWatch::kTimeout_us + 1).acceleration_mps2, 0);
 }

@@ -30,7 +30,7 @@ max_hops = 3
 )",
     .misfit = [](const Mission&, const Vehicle& vehicle) -> std::string {
       if (vehicle.media.gateway.exists) return "";
-      return vehicle.name + " is no gateway: it has no [vehicle.gateway]";
+      return vehicle.name + " is not a gateway: it has no [vehicle.gateway]";
     },
 };
 

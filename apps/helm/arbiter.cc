@@ -116,7 +116,7 @@ bool Arbiter::IsKept(std::string_view name) const {
   return std::find(deploy_keeps_.begin(), deploy_keeps_.end(), name) != deploy_keeps_.end();
 }
 
-HelmOrder Arbiter::Instead(const HelmOrder& order) const {
+HelmOrder Arbiter::ReplacementFor(const HelmOrder& order) const {
   const bool by_variables = (order.kind == OrderKind::kReturn && HasVariable(kReturn)) ||
                             (order.kind == OrderKind::kStationKeep && HasVariable(kStationKeep));
   return by_variables ? HelmOrder{.kind = OrderKind::kDeploy} : order;

@@ -46,7 +46,7 @@ class Arbiter {
 
   /// Returns the order that HelmStates is to execute: `order`, or `deploy` where variables do the
   /// rest.
-  HelmOrder Instead(const HelmOrder& order) const;
+  HelmOrder ReplacementFor(const HelmOrder& order) const;
   /// An order of the operator was executed: sets the variables that stand for it, and ends what
   /// lasts until the operator acts.
   void TakeOver(const HelmOrder& order);

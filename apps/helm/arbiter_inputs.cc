@@ -104,7 +104,7 @@ void ArbiterInputs::Set(const VariablePost& setting, std::string_view source) {
 
 void ArbiterInputs::Take(const ContactReport& report) {
   const ContactIntake intake = ledger_.Take(report, own_position_m_);
-  // Sonar echoes jump from one obstacle to the next; what comes late or from afar is no fault.
+  // Sonar echoes jump from one obstacle to the next; what comes late or from afar is not a fault.
   const bool is_usual = intake == ContactIntake::kTaken || intake == ContactIntake::kTooOld ||
                         intake == ContactIntake::kOutOfOrder || intake == ContactIntake::kTooFar ||
                         (intake == ContactIntake::kJumped && report.name == "sonar");

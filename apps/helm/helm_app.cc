@@ -127,7 +127,7 @@ void HelmApp::OnNodeMessage(const node_message_t& message) {
     return;
   }
   const Result<HelmOrder> order = message.is_double != 0
-                                      ? Result<HelmOrder>(Error{"a number is no order"})
+                                      ? Result<HelmOrder>(Error{"a number is not an order"})
                                       : ReadOrderText(message.string_val);
   Execute(order, message.src_node);
 }
@@ -149,7 +149,7 @@ void HelmApp::Execute(const Result<HelmOrder>& order, std::string_view from) {
 
 std::string HelmApp::Execute(const HelmOrder& order) {
   if (order.kind == OrderKind::kSet) return arbiter_.Set(order.setting);
-  std::string refusal = states_.Execute(arbiter_.Instead(order));
+  std::string refusal = states_.Execute(arbiter_.ReplacementFor(order));
   if (refusal.empty()) arbiter_.TakeOver(order);
   return refusal;
 }

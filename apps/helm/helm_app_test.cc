@@ -142,7 +142,7 @@ TEST(HelmApp, ExecutesOrdersThatComeAsNodeMessages) {
   loop.Run(1);
   loop.PublishMessage(MessageOfBravo("UPDATE_LOITER", "deploy"));
   loop.Run(1);
-  EXPECT_EQ(loop.state.state, "PARK") << "other variables are no orders";
+  EXPECT_EQ(loop.state.state, "PARK") << "other variables are not orders";
   loop.PublishMessage(MessageOfBravo("HELM_COMMAND", "deploy"));
   loop.Run(1);
   EXPECT_EQ(loop.state.state, "DRIVE");
@@ -161,7 +161,7 @@ TEST(HelmApp, WarnsOfMessagesThatAreNoOrders) {
   number.double_val = 3;
   loop.PublishMessage(number);
   loop.Run(1);
-  EXPECT_TRUE(Mentions(loop.Page(), "a number is no order"));
+  EXPECT_TRUE(Mentions(loop.Page(), "a number is not an order"));
 }
 
 TEST(HelmApp, ExecutesAllStopAndResume) {

@@ -48,7 +48,8 @@ double SecondsSince(int64_t earlier_utime, int64_t utime) {
 }
 
 /// Returns the velocity of the current: the velocity over ground less the velocity relative to the
-/// water, which NAV has in the body frame. Horizontal; roll turns only what is small.
+/// water, which NAV has in the body frame. Only horizontal. Roll is left out: it changes the result
+/// very little.
 Eigen::Vector3d CurrentOf(const nav_t& nav, const Eigen::Vector3d& over_ground_mps) {
   const double pitch_rad = DegToRad(nav.pitch_deg);
   const double heading_rad = DegToRad(nav.heading_deg);

@@ -286,7 +286,7 @@ TEST(SwarmView, TurnsSonarEchoesIntoDirectionsOfTheWorld) {
   own.heading_deg = 60;
   const Surroundings* surroundings = view.Look(&mission.vehicles[1].tasks[0], own);
   ASSERT_NE(surroundings, nullptr);
-  ASSERT_EQ(surroundings->sonar.size(), 1U) << "what saw nothing is no echo";
+  ASSERT_EQ(surroundings->sonar.size(), 1U) << "what saw nothing is not an echo";
   EXPECT_EQ(surroundings->sonar[0].range_m, 20);
   // 60 degrees and 30 more clockwise is East.
   EXPECT_LT((surroundings->sonar[0].direction - Eigen::Vector3d::UnitX()).norm(), 1e-12);

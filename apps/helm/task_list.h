@@ -36,10 +36,11 @@ class TaskList {
  public:
   explicit TaskList(const Vehicle& vehicle);
 
-  /// Executes deploy, return, station_keep, goto or task, or returns why not and changes nothing.
-  /// Other orders are none about tasks: they change nothing.
+  /// Executes deploy, return, station_keep, goto or task. If that is not possible, it returns the
+  /// reason and changes nothing. Other orders are not about tasks and change nothing.
   [[nodiscard]] std::string Execute(const HelmOrder& order);
-  /// Changes the speed of the task that runs until the next one begins, or returns why not.
+  /// Changes the speed of the task that runs until the next one begins, or returns the reason why
+  /// that is not possible.
   /// @pre a task runs
   [[nodiscard]] std::string ChangeSpeed(double speed_mps);
 
@@ -88,7 +89,7 @@ class TaskList {
   std::vector<Task> tasks_;
   ReturnTask return_task_;
   bool ended_ = false;         ///< The interruption is what comes after the list.
-  const bool behaviors_lead_;  ///< There are behaviors and no tasks: an empty list is no end.
+  const bool behaviors_lead_;  ///< There are behaviors and no tasks: an empty list is not an end.
 };
 
 }  // namespace shoal

@@ -10,7 +10,7 @@ namespace shoal {
 
 /// Returns where the last value of a file ends that begins with `bytes` ("NetCDF Classic Format
 /// Specification": CDF-1, CDF-2 and CDF-5). 0 where the number of records is left open. Nothing
-/// where the bytes are no such header, or no whole one.
+/// if the bytes are not a whole header of this kind.
 [[nodiscard]] std::optional<uint64_t> ClassicDataEnd(std::span<const uint8_t> bytes);
 
 }  // namespace shoal

@@ -45,7 +45,8 @@ class Mediator {
  public:
   /// More waiting messages than this are refused.
   static constexpr size_t kMaxWaiting = 1000;
-  /// So are those that would make the waiting ones more than this: all may be repeated at once.
+  /// Refused too if it would make the waiting messages longer than this, all together: all of them
+  /// may be repeated at once.
   static constexpr size_t kMaxWaitingBytes = 2'000'000;
   static constexpr size_t kMaxAcksPerStep = 1000;
   static constexpr size_t kMaxAcksWaiting = 10'000;

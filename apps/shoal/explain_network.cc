@@ -117,7 +117,7 @@ std::string StrategiesText(const RecoveryOrder& order) {
   return names.empty() ? "(dropped)" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// The strategies of members that have none of their own; the others' stand in their tables.
+/// The strategies of members that have none of their own; the others' are in their tables.
 std::string RecoveryText(const Mission& mission) {
   NameList names;
   for (const Vehicle& vehicle : mission.vehicles) {

@@ -17,7 +17,7 @@ constexpr char kNetworks[] =
     "| `x_m`, `y_m` | 0 | |\n"
     "\n"
     "```toml\n"
-    "# `comms_range` in code is no heading\n"
+    "# `comms_range` in code is not a heading\n"
     "| `hidden` | 1 | no row |\n"
     "```\n"
     "\n"

@@ -101,7 +101,7 @@ void AddCampaignRun(Command campaign, CommandAction* action) {
   command.AddOption("--max-time", &parsed->max_time, "Begin no trial after this time: 90s, 15m, 2h")
       .Check([](const std::string& text) -> std::string {
         if (ParseDuration(text)) return "";
-        return fmt::format("'{}' is no time such as 90s, 15m or 2h", text);
+        return fmt::format("'{}' is not a time such as 90s, 15m or 2h", text);
       });
   command
       .AddOption("--keep", &parsed->keep,

@@ -62,7 +62,7 @@ class ShardEngine {
   virtual std::optional<bool> IsActive() = 0;
   /// Why IsActive() does not know.
   virtual std::string Trouble() const = 0;
-  /// What stands behind the line of progress.
+  /// What is behind the line of progress.
   virtual std::string Note() const = 0;
   /// Ctrl-C: states, or does, what becomes of the shards.
   virtual void Leave() = 0;

@@ -96,7 +96,7 @@ std::optional<MoosSource> FindIncluded(std::string_view name, std::string_view f
   return std::nullopt;
 }
 
-/// Reads NAME=VALUE pairs that are separated by blanks; a value with blanks stands in double
+/// Reads NAME=VALUE pairs that are separated by blanks; a value with blanks is in double
 /// quotes; a NAME alone is defined and stands for nothing. `is_one`: the whole text is one pair.
 Result<MoosDefines> ReadDefines(std::string_view text, bool is_one) {
   const Error wrong{fmt::format("{} is not NAME=VALUE", Quoted(text))};
@@ -292,11 +292,11 @@ int RunImport(const ImportOptions& options) {
     if (IsBhvName(path)) {
       const BhvFile file = ParseBhvFile(plugged);
       if (file.behaviors.empty() && file.modes.empty() && file.initials.empty()) {
-        return Fail(path + " is no file of behaviors: it has no Behavior, set or initialize",
+        return Fail(path + " is not a file of behaviors: it has no Behavior, set or initialize",
                     kExitUsage);
       }
     } else if (ParseMoosFile(plugged).blocks.empty()) {
-      return Fail(path + " is no MOOS mission file: it has no ProcessConfig block", kExitUsage);
+      return Fail(path + " is not a MOOS mission file: it has no ProcessConfig block", kExitUsage);
     }
     is_any_moos = is_any_moos || !IsBhvName(path);
     sources.push_back(std::move(source));

@@ -7,7 +7,7 @@
 
 namespace shoal {
 
-/// Returns the exit code: 0, kExitUsage for a log or names that do not serve, kExitEnvironment.
+/// Returns the exit code: 0; kExitUsage if the log or a name is wrong; kExitEnvironment.
 int RunPlay(const PlayOptions& options);
 
 /// Returns the mission that a recording is of: the one beside it, as far as its playing is

@@ -37,8 +37,8 @@ class AcousticTraffic {
  public:
   /// No payload is longer, whatever the modem.
   static constexpr int64_t kMaxPayload_bytes = 65'535;
-  /// A packet in transit is kept with its whole message, also the texts that do not go over the
-  /// air: nothing longer is accepted.
+  /// A packet in transit is kept with its whole message, which has texts that are not sent over
+  /// the air. Longer messages are refused.
   static constexpr int64_t kMaxMessage_bytes = 2 * kMaxPayload_bytes;
   /// A vehicle that sends faster than the network carries has at most this many packets in transit.
   static constexpr int kMaxPacketsOfOne = 256;

@@ -25,7 +25,7 @@ bool HasZeroByte(std::span<const uint8_t> bytes) {
   return std::ranges::find(bytes, uint8_t{0}) != bytes.end();
 }
 
-/// Any number may stand in a report: the difference of two may be no int64_t.
+/// Any number may be in a report: the difference of two may be no int64_t.
 double SecondsAfter(int64_t start_utime, int64_t utime) {
   int64_t passed_us = 0;
   if (!__builtin_sub_overflow(utime, start_utime, &passed_us)) {

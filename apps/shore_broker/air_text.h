@@ -54,8 +54,8 @@ struct ReportContext {
                                                              std::span<const uint8_t> arrived,
                                                              const ReportContext& context);
 
-/// Returns the message in the damaged text, or nothing where it is no message (MOOS's syntax, and
-/// what the broker requires of every message). `message` supplies what the air does not carry.
+/// Returns the message in the damaged text, or nothing where it is not a message (MOOS's syntax,
+/// and what the broker requires of every message). `message` supplies what the air does not carry.
 [[nodiscard]] std::optional<node_message_t> UnderstandDamaged(const node_message_t& message,
                                                               std::span<const uint8_t> arrived);
 [[nodiscard]] std::optional<ack_message_t> UnderstandDamaged(const ack_message_t& ack,

@@ -32,7 +32,7 @@ bool RequestFullReports(const ControlRow& row, const unc_control_t& control, int
 bool ApplyFactor(const ControlRow& row, const unc_control_t& control, int64_t utime, Router* router,
                  StatusLog* log) {
   if (!IsLegalVehicleName(control.vehicle)) {
-    Refuse(fmt::format("{} refused: it is for one vehicle, and '{}' is no vehicle's name",
+    Refuse(fmt::format("{} refused: it is for one vehicle, and '{}' is not a vehicle's name",
                        row.channel, Printable(control.vehicle)),
            utime, log);
     return false;

@@ -167,7 +167,7 @@ void Delivery::TakeLegEnd(int64_t utime, const LegEnd& end) {
   const std::string& destination = end.leg.destination;
   const bool is_overheard = end.leg.decision.is_overheard;
   Cause cause = end.cause;
-  // What a gateway that it is not for does not forward either has come to nothing.
+  // A gateway received a message that is for another vehicle, and does not forward it: it is lost.
   const bool is_thrown_away =
       is_overheard && cause == Cause::kDelivered && ForwarderOf(end) == nullptr;
   if (is_thrown_away) {

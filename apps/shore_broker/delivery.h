@@ -45,8 +45,8 @@ namespace shoal {
 struct DecidedTransmission {
   std::span<const Decision> decisions = {};
   std::span<const std::string> unknown_names = {};  ///< Decision::unknown_name counts these.
-  std::string_view written_source = {};             ///< The source's name where it is no contact.
-  std::span<const uint8_t> raw = {};                ///< As it came to the broker.
+  std::string_view written_source = {};  ///< The source's name where it is not a contact.
+  std::span<const uint8_t> raw = {};     ///< As it came to the broker.
   Eigen::Vector3d from_m = Eigen::Vector3d::Zero();
   bool has_pulses = false;
   std::string_view color = {};  ///< Of its pulses.

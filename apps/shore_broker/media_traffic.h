@@ -61,7 +61,7 @@ class MediaTraffic {
   /// Returns a mission time before which Deliver has nothing to report, unless more is sent.
   std::optional<int64_t> NextUtime() const;
 
-  /// The gateway that this vehicle is; null: it is none.
+  /// The gateway that this vehicle is; null: it is not one.
   const GatewayOptions* GatewayAt(std::string_view name) const;
   /// The names of all gateways.
   std::vector<std::string> Gateways() const;

@@ -27,7 +27,7 @@ bool AllNumbersAreFinite(const node_report_t& report) {
 std::string LegalOrEmpty(const std::string& name) { return IsLegalVehicleName(name) ? name : ""; }
 
 std::string_view ProblemOf(const node_message_t& message) {
-  if (!IsLegalVehicleName(message.src_node)) return "src_node is no vehicle's name";
+  if (!IsLegalVehicleName(message.src_node)) return "src_node is not a vehicle's name";
   if (message.dest_node.empty() && message.dest_group.empty()) {
     return "neither dest_node nor dest_group";
   }

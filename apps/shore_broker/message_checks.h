@@ -12,7 +12,7 @@ namespace shoal {
 /// Returns false where one of the numbers of a report is infinite or not a number.
 [[nodiscard]] bool AllNumbersAreFinite(const node_report_t& report);
 
-/// Returns the name, or nothing where it is none that a vehicle may have: for what is written of
+/// Returns the name, or nothing if it is not one that a vehicle may have: for what is written of
 /// it.
 [[nodiscard]] std::string LegalOrEmpty(const std::string& name);
 

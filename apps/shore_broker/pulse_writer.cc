@@ -15,7 +15,7 @@ constexpr double kWidthPerRange = 0.1;
 constexpr double kReportFill = 0.35;
 constexpr double kMessageFill = 0.6;
 
-/// Easy to distinguish, and none that messages have by default.
+/// Colors that are easy to distinguish. Messages have none of them by default.
 constexpr std::array<std::string_view, 12> kReportColors = {
     "orange", "dodger_blue", "red",    "green",  "yellow", "magenta",
     "cyan",   "brown",       "purple", "salmon", "khaki",  "turquoise"};

@@ -156,8 +156,8 @@ void ShoreBrokerApp::ApplyControls(int64_t utime) {
   rules_changed_ = false;
   BrokerRules rules = RulesNow(setup_, router_);
   rules.utime = utime;
-  rules.is_start = !began_to_work_;
-  began_to_work_ = true;
+  rules.is_start = !has_published_rules_;
+  has_published_rules_ = true;
   Publish(bus_, channels::CommsRules(), ToMessage(rules));
 }
 
@@ -392,7 +392,7 @@ std::optional<App::RequestAnswer> ShoreBrokerApp::Answer(std::string_view channe
                                                          std::span<const uint8_t> data) const {
   comms_rules_req_t request;
   const bool is_request = channel == channels::CommsRulesReq().name && Decode(data, &request);
-  if (!is_request || !began_to_work_) return std::nullopt;
+  if (!is_request || !has_published_rules_) return std::nullopt;
   BrokerRules rules = RulesNow(setup_, router_);
   rules.utime = now_utime_;
   RequestAnswer answer{.channel = channels::CommsRulesNow().name, .data = {}};

@@ -74,7 +74,7 @@ class ShoreBrokerApp : public Broker {
   void RouteMessage(int64_t utime, const BrokerInbox::Item& item);
   void RouteAck(int64_t utime, const BrokerInbox::Item& item);
   void RouteRelay(int64_t utime, const BrokerInbox::Item& item);
-  /// Routes what relay_ holds. False: it is none of its kind.
+  /// Routes what relay_ holds. False: it is not one of its kind.
   bool RouteRelayed(int64_t utime, const MediaChoice& over);
   void RoutePacket(int64_t utime, const BrokerInbox::Item& item);
   void RouteBytes(int64_t utime, const BrokerInbox::Item& item, const std::string& source,
@@ -102,7 +102,7 @@ class ShoreBrokerApp : public Broker {
   int64_t now_utime_ = 0;
   bool began_ = false;
   bool holds_ = false;
-  bool began_to_work_ = false;  ///< COMMS_RULES has been published.
+  bool has_published_rules_ = false;  ///< COMMS_RULES, for the first time.
   bool rules_changed_ = false;
   int64_t num_commands_handed_on_ = 0;
 

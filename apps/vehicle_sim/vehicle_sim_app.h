@@ -57,8 +57,8 @@ class VehicleSimApp : public App {
   void PublishInstruments(const nav_t& nav);
   bool is_still() const { return paused_ || !touched_by_.empty(); }
 
-  // What every step needs comes first: of thousands of vehicles in one process, the caches hold
-  // little else.
+  // Members that every step needs come first: with thousands of vehicles in one process, the caches
+  // have room for little more.
   const std::unique_ptr<SimulatedCraft> craft_;
   Bus& bus_;
   const int64_t tick_us_;

@@ -130,7 +130,7 @@ std::optional<WebAnswer> FindDenial(const AccessRules& rules, const WebRequest& 
   if (is_question && !IsJson(request.content_type)) {
     return ErrorAnswer(400, "a question is JSON: send it with Content-Type: application/json");
   }
-  // The page's own files are no secret, and a browser asks for them without headers of ours.
+  // The page's own files are not secret, and a browser asks for them without headers of ours.
   if (rules.reading_needs_token && request.path.starts_with("/api/") &&
       !TokensMatch(rules.token, TokenOf(request))) {
     return ErrorAnswer(403,

@@ -15,8 +15,8 @@ class PartView : public ViewSource {
   explicit PartView(std::unique_ptr<RecordedView> part) : part_(std::move(part)) {}
 
   void SetShare(double share) { share_ = share; }
-  /// Shows the log's begin alone from now on. The setup has another start's name and a note with
-  /// the reason, so that open pages load it again.
+  /// From now on shows only the begin of the log. The setup gets another name of its start, so that
+  /// open pages load it again, and a note with the reason.
   void Fail(const std::string& why) {
     std::string json = part_->SetupJsonWith(
         NewToken(),

@@ -51,7 +51,7 @@ CheckedHead CheckRequestLine(std::string_view line, RequestLine* parts) {
   const size_t first = line.find(' ');
   const size_t last = line.rfind(' ');
   if (first == std::string_view::npos || first == last || !IsText(line)) {
-    return Refused(400, "this is no HTTP request");
+    return Refused(400, "this is not an HTTP request");
   }
   *parts = {line.substr(0, first), line.substr(first + 1, last - first - 1), line.substr(last + 1)};
   if (parts->version != "HTTP/1.1" && parts->version != "HTTP/1.0") {
@@ -62,7 +62,7 @@ CheckedHead CheckRequestLine(std::string_view line, RequestLine* parts) {
   }
   if (parts->method.empty() ||
       !std::all_of(parts->method.begin(), parts->method.end(), IsNameCharacter)) {
-    return Refused(400, "this is no HTTP request");
+    return Refused(400, "this is not an HTTP request");
   }
   if (parts->method != "GET" && parts->method != "HEAD" && parts->method != "POST") {
     return Refused(405, "this server has GET, HEAD and POST");
@@ -108,7 +108,7 @@ class HeaderLines {
           std::from_chars(value.data(), value.data() + value.size(), content_length);
       if (error == std::errc::result_out_of_range) return TooLarge();
       if (error != std::errc() || end != value.data() + value.size() || content_length < 0) {
-        return Refused(400, "Content-Length is no number");
+        return Refused(400, "Content-Length is not a number");
       }
       if (content_length > static_cast<int64_t>(kMaxBodyBytes)) return TooLarge();
     }

@@ -11,7 +11,7 @@ namespace shoal {
 namespace {
 
 constexpr size_t kTimesKept = 32;
-/// A series that no page has asked for this long is forgotten where another one needs its place.
+/// If no page has asked for a series for this long, another one may take its place.
 constexpr int64_t kSeriesLasts_us = 60'000'000;
 
 }  // namespace

@@ -56,7 +56,7 @@ def _parse_url(url: str) -> tuple[str, int, int]:
         raise BusError(f"{url}: ttl is a number from 0, this machine alone, to 255")
     group = parts.hostname or GROUP
     if not re.fullmatch(r"2(2[4-9]|3\d)(\.\d{1,3}){3}", group):
-        raise BusError(f"{url}: {group} is no multicast address, such as {GROUP}")
+        raise BusError(f"{url}: {group} is not a multicast address, such as {GROUP}")
     return group, port, int(ttl)
 
 

@@ -101,7 +101,7 @@ class Codec:
         self.flat = None if letters is None else struct.Struct(">8x" + letters)
         self.attributes = tuple(attribute_name(each.name) for each in made.members)
         lengths = {each.text for member in made.members for each in member.dimensions}
-        #: The attributes that are no length of an array.
+        #: The attributes that are not the length of an array.
         self.content = tuple(
             attribute_name(each.name) for each in made.members if each.name not in lengths
         )

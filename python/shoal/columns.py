@@ -19,8 +19,8 @@ except ImportError:  # Lists and arrays of the standard library serve then.
 if TYPE_CHECKING:
     import numpy.typing
 
-#: What a user is given: numpy's arrays, or where numpy is not installed arrays and lists, which have
-#: len(), [], and iteration in common with these.
+#: What a user is given: numpy's arrays, or, if numpy is not installed, arrays and lists, which have
+#: len(), [] and iteration in common with these.
 Floats: TypeAlias = "numpy.typing.NDArray[numpy.float64]"
 Integers: TypeAlias = "numpy.typing.NDArray[numpy.int64]"
 Vector: TypeAlias = "numpy.typing.NDArray[numpy.float32]"

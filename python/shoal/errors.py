@@ -12,7 +12,7 @@ class LcmFileError(Error):
 
 
 class DecodeError(Error):
-    """Bytes that are no message of their type."""
+    """Bytes that are not a message of their type."""
 
 
 class LogError(Error):

@@ -268,7 +268,7 @@ class LogFile:
                 channel.sizes.frombytes(sizes[begin:end].tobytes())
 
     def _misfit(self, offset: int, header: bytes) -> str:
-        """Returns why no event stands at `offset`; empty where its bytes are all in the file."""
+        """Returns why no event is at `offset`; empty where its bytes are all in the file."""
         if len(header) >= 4 and header[:4] != MAGIC:
             return NO_EVENT if offset > 0 else NOT_A_LOG
         if len(header) < HEADER.size:

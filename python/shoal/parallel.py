@@ -7,8 +7,8 @@
         actions = {agent: env.action_space(agent).sample() for agent in env.agents}
         observations, rewards, terminations, truncations, infos = env.step(actions)
 
-Where pettingzoo is installed, it is a pettingzoo.ParallelEnv. Where it is not, it is a class with the
-same methods. Spaces are those of shoal.gym.
+Where pettingzoo is installed, it is a pettingzoo.ParallelEnv. Where it is not, it is a class with
+the same methods. Spaces are those of shoal.gym.
 """
 
 from __future__ import annotations

@@ -64,7 +64,7 @@ def _text_beside(log: str, name: str) -> str | None:
 
 
 def mission_beside(log: str) -> dict[str, Any] | None:
-    """Returns the mission file as it was, without overrides. Raises Error where it is no TOML."""
+    """Returns the mission file as it was, without overrides. Raises Error if it is not TOML."""
     text = _text_beside(log, "mission.toml")
     if text is None:
         return None

@@ -67,7 +67,7 @@ def running_missions() -> list[RunningMission]:
 
 
 def _read_entry(folder: int, name: str) -> RunningMission | None:
-    """Returns the mission of an entry; None where it is none, or its launcher is gone."""
+    """Returns the mission of an entry; None if it is not one, or its launcher is gone."""
     try:
         flags = os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC
         with open(os.open(name, flags, dir_fd=folder), "rb") as file:

@@ -29,7 +29,7 @@ def _override_text(key: str, value: object) -> str:
     if isinstance(value, str | bool | int | float | list | tuple):
         # What JSON writes of these is TOML, too.
         return f"{key}={json.dumps(value, ensure_ascii=False)}"
-    raise TypeError(f"{key}: a {type(value).__name__} is no value of a mission file")
+    raise TypeError(f"{key}: a {type(value).__name__} is not a value of a mission file")
 
 
 def _finite(name: str, value: object) -> float:
@@ -286,7 +286,7 @@ class Simulation:
             if vehicle not in self._channel_of or member not in actuators.__slots__:
                 known = ", ".join(actuators.__slots__[1:])
                 raise KeyError(
-                    f"'{name}' is no actuator: write vehicle.member with {known}; "
+                    f"'{name}' is not an actuator: write vehicle.member with {known}; "
                     f"vehicles are {', '.join(self.vehicles)}"
                 )
             channel = f"ACTUATORS_{vehicle.upper()}"

@@ -122,7 +122,7 @@ class Types:
         """Returns the message of these bytes, with or without a seal behind it.
 
         Raises:
-            DecodeError: the type is not known, or the bytes are no message of it.
+            DecodeError: the type is not known, or the bytes are not a message of it.
         """
         data = bytes(data)
         found = self.of(data)

@@ -5,9 +5,9 @@
     observations, infos = envs.reset(seed=1)             # the missions get the seeds 1 to 8
     observations, rewards, terminations, truncations, infos = envs.step(envs.action_space.sample())
 
-Where gymnasium is installed, it is a gymnasium.vector.VectorEnv. Where it is not, it is a class with
-the same methods. An episode that has ended begins again in the next step, whose action does not count for
-it (autoreset "NextStep" of Gymnasium 1).
+Where gymnasium is installed, it is a gymnasium.vector.VectorEnv. Where it is not, it is a class
+with the same methods. An episode that has ended begins again in the next step, whose action does
+not count for it (autoreset "NextStep" of Gymnasium 1).
 """
 
 from __future__ import annotations

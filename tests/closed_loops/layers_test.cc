@@ -1,4 +1,4 @@
-// AUVs that keep clear of what stands in their way and of each other, with inertia, fins, sonar and
+// AUVs that keep clear of what is in their way and of each other, with inertia, fins, sonar and
 // current.
 #include <gtest/gtest.h>
 

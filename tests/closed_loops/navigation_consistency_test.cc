@@ -150,7 +150,7 @@ Sums RunAll(const InstrumentOptions& options) {
   return sums;
 }
 
-/// Expects a sum over the seeds within the bounds that 99.9 % of good filters keep.
+/// Expects a sum over the seeds to be within the bounds that 99.9 % of correct filters keep.
 void ExpectWithinChiSquare(double sum, int states) {
   const int degrees = states * static_cast<int>(kSeeds);
   EXPECT_GT(sum, ChiSquareQuantile(degrees, 0.0005));

@@ -104,7 +104,7 @@ class NetworkSwarm {
   int64_t step_ = 0;
 };
 
-/// Returns all positions in a message, in its order; nothing where it is none.
+/// Returns all positions in a message, in its order; nothing if it is not one.
 [[nodiscard]] std::vector<Eigen::Vector3d> PositionsIn(const std::vector<uint8_t>& bytes);
 
 }  // namespace shoal

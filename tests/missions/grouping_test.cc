@@ -113,7 +113,7 @@ TEST(Grouping, IsRefusedWhereItIsNone) {
   const std::string mission = MissionFile("berta.toml");
   const Finished run = RunShoal(folder, {"run", mission, "--grouping", "boats"});
   EXPECT_EQ(run.exit_code, 2);
-  EXPECT_NE(run.output.find("'boats' is no grouping: app (a process per participant), vehicle"),
+  EXPECT_NE(run.output.find("'boats' is not a grouping: app (a process per participant), vehicle"),
             std::string::npos)
       << run.output;
   const Finished group = RunShoal(

@@ -63,7 +63,7 @@ class HostFarm {
 
 /// Berta with bravo on a host, well under way, with a recording.
 struct MissionUnderWay {
-  /// `more` stands in the [[host]]. `way`: returns the address at which home reaches the host,
+  /// `more` is in the [[host]]. `way`: returns the address at which home reaches the host,
   /// instead of the agent's own. `options`: of `shoal run`.
   explicit MissionUnderWay(const std::string& more,
                            const std::function<std::string(const HostFarm&)>& way = {},

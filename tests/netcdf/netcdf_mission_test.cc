@@ -764,7 +764,7 @@ TEST_P(NetcdfMissions, DriftBesideMaskedCoordinatesAndFoldsAsElsewhere) {
     EXPECT_NEAR(flow_mps.y(), 0.25, 1e-5) << name << place_m.transpose();
   };
   for (const double y_m : {-2000.0, 0.0, 2100.0}) expect_flow("sea/masked.nc", {0, y_m});
-  // The last column is the one before the last but one again, as at the ends of global grids.
+  // The last column repeats the third from the end, as at the ends of global grids.
   WrittenNetcdf folded = MeshFile({}, 0.5, 0.25);
   for (const size_t degrees : {0, 1}) {
     std::vector<double>& values = folded.variables[degrees].values;

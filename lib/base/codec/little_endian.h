@@ -62,7 +62,7 @@ class LittleEndianReader {
     return number;
   }
 
-  /// The same of bytes that may be damaged: returns false where too few are left.
+  /// The same for bytes that may be damaged: returns false if too few are left.
   template <class Number>
   [[nodiscard]] bool Take(Number* number) {
     if (num_left() < sizeof(Number)) return false;

@@ -25,7 +25,7 @@ struct GeoPoint {
 
 class LocalFrame {
  public:
-  /// Beyond this distance from the origin a plane is no map.
+  /// Beyond this distance from the origin a plane is not a map.
   static constexpr double kReach_m = 1.5e6;
 
   /// @pre origin is finite and in range.

@@ -21,7 +21,7 @@ struct Node {
   double weight = 0;
 };
 
-/// Where the motion may be at a look, undecided at all looks so far.
+/// The values of the motion at a look, for motions that no look has decided so far.
 struct Undecided {
   double fraction = 0;
   std::vector<Node> nodes = {{0, 1}};  ///< At the start, at 0 for certain.

@@ -19,7 +19,7 @@ bool IsOrderOrLine(std::string_view character) {
          (character >= "\xe2\x81\xa6" && character <= "\xe2\x81\xa9");
 }
 
-/// Returns how many bytes the UTF-8 character at the front has; 0: it is none, or is not
+/// Returns how many bytes the UTF-8 character at the front has; 0: it is not one, or is not
 /// shown. Table 3-7 of the Unicode standard has the ranges of the second byte.
 size_t PrintableLength(std::string_view text) {
   const auto first = static_cast<unsigned char>(text[0]);

@@ -74,8 +74,9 @@ class Bus {
     return nullptr;
   }
 
-  /// What is published from now until the end of the step, or the next call, comes after what this
-  /// participant publishes at lower places, in whichever part of a mission it does.
+  /// Sets the place of the messages that are published from now until the next call or the end of
+  /// the step. They come after those that this participant publishes at lower places, in any part
+  /// of a mission.
   /// @pre place < kNumPlaces, and more than the one before in this step
   virtual void SetPlace(uint32_t /*place*/) {}
 

@@ -10,7 +10,7 @@ constexpr size_t kPlenty = 4000;
 
 /// What the kernel does with a datagram, by its documentation of classic BPF.
 bool Accepts(const std::vector<sock_filter>& code, const std::string& datagram) {
-  const std::string packet = std::string(8, '\0') + datagram;  // The UDP header stands before it.
+  const std::string packet = std::string(8, '\0') + datagram;  // The UDP header is before it.
   uint32_t a = 0;
   for (size_t pc = 0; pc < code.size(); ++pc) {
     const sock_filter& each = code[pc];

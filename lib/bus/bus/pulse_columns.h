@@ -28,8 +28,8 @@ inline constexpr size_t kMaxTextOfPulse_bytes = 256;              ///< ... and t
 /// others, or if the list's texts would have more bytes than the constants above allow.
 [[nodiscard]] bool ListOf(const comms_pulse_columns_t& columns, comms_pulses_t* list);
 
-/// Returns the bytes of a comms_pulses_t, made in `storage`, where `message` is a
-/// comms_pulse_columns_t; all else as it is.
+/// Returns the bytes of a comms_pulses_t, made in `storage`, if `message` is a
+/// comms_pulse_columns_t; else `message` itself.
 [[nodiscard]] std::span<const uint8_t> WithPulsesAsList(std::span<const uint8_t> message,
                                                         Bytes* storage);
 

@@ -88,7 +88,7 @@ struct ChildSide {
     if (start.kept >= 0 && start.kept_as < 0) ::fcntl(start.kept, F_SETFD, 0);
     if (start.kept >= 0 && start.kept_as >= 0) ::dup2(kept, start.kept_as);
     if (start.folder.empty() || ::chdir(start.folder.c_str()) == 0) {
-      // With a search on the PATH, a file that is no program would be given to the shell.
+      // With a search on the PATH, a file that is not a program would be given to the shell.
       const bool is_path = ::strchr(argv[0], '/') != nullptr;
       if (is_path) ::execve(argv[0], argv.data(), environment.data());
       if (!is_path) ::execvpe(argv[0], argv.data(), environment.data());

@@ -26,9 +26,9 @@ class PlainFolder {
   /// @pre `name` has no slash, as in the other functions
   [[nodiscard]] Result<PlainFolder> Below(const std::string& name) const;
 
-  /// Opens the file `name` for reading and writing, with `flags` beside; one that is missing is
-  /// made. Refused are links, what is not a regular file, and a file that has another name too (a
-  /// hard link).
+  /// Opens the file `name` for reading and writing, with `flags` added. A missing file is
+  /// made. Links, files that are not regular, and files that have a second name (hard links) are
+  /// refused.
   [[nodiscard]] Result<FileDescriptor> OpenFile(const std::string& name, int flags) const;
 
   /// Opens the folder `name` in this one if it is there; a link is refused.

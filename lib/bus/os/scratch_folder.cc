@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Opens and locks a folder of this user's, which is no link. Not open: it is not to be had.
+/// Opens and locks a folder of this user's, which is not a link. Not open: it is not to be had.
 FileDescriptor LockFolder(const std::string& path) {
   FileDescriptor folder(::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
   struct stat status {};

@@ -9,7 +9,7 @@
 // array has no index column: its length is a column, as every member is.
 //
 // Where the message has a member `index` or `time_s`, the table's own column is `row_index` or
-// `row_time_s`: no name stands in a header twice.
+// `row_time_s`: no name is in a header twice.
 //
 // Small arrays of fixed size have a column for each element, all other arrays of values one cell:
 // [1 2 3]. So have arrays within arrays whose structs would hold themselves: [{y=3} {y=4}]. Members

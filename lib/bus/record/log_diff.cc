@@ -61,7 +61,7 @@ FieldDifference FindDifference(const Schema& schema, const LogEvent& event_a,
     if (a.type != b.type) return {"type", DisplayName(*a.type), DisplayName(*b.type)};
     const std::vector<Leaf> leaves_a = Leaves(schema, *a.type, a.data);
     const std::vector<Leaf> leaves_b = Leaves(schema, *b.type, b.data);
-    // Arrays of different lengths differ in the length already, which stands before them.
+    // Arrays of different lengths differ in the length already, which is before them.
     for (size_t i = 0; i < std::min(leaves_a.size(), leaves_b.size()); ++i) {
       if (leaves_a[i].text != leaves_b[i].text) {
         return {DisplayName(*a.type) + " " + leaves_a[i].path, leaves_a[i].text, leaves_b[i].text};

@@ -24,14 +24,14 @@ uint64_t BigEndian(std::span<const uint8_t> bytes) {
 
 }  // namespace
 
-/// What stands before an event's channel and data.
+/// What is before an event's channel and data.
 struct LogReader::Header {
   int64_t number = 0;
   int64_t utime = 0;
   size_t channel_length = 0;
   size_t data_length = 0;
   uint64_t end = 0;        ///< Of the event.
-  std::string_view wrong;  ///< Empty: a whole event of these lengths may stand here.
+  std::string_view wrong;  ///< Empty: a whole event of these lengths may be here.
 };
 
 std::string LogFileOf(const std::string& path) {
@@ -87,7 +87,7 @@ bool LogReader::EventMayBeginAt(uint64_t offset) {
   return offset == file_.size() || file_.PeekUint32(offset) == kLogMagic;
 }
 
-/// Returns whether a whole event with a printable channel stands at `offset`.
+/// Returns whether a whole event with a printable channel is at `offset`.
 bool LogReader::IsEventAt(uint64_t offset) {
   const Header header = ReadHeader(offset);
   if (!header.wrong.empty()) return false;

@@ -23,7 +23,7 @@ enum class OnDamage {
   kSkip,  ///< Reads all whole events, before and behind the damages, which damages() lists.
 };
 
-/// A part of a log that is no event.
+/// A part of a log that is not an event.
 struct LogDamage {
   uint64_t begin = 0;  ///< Bytes of the log, [begin, end).
   uint64_t end = 0;

@@ -59,7 +59,7 @@ struct CauseRow {
   Cause cause;
   std::string_view key;    ///< As COMMS_FATES and mission files write it.
   std::string_view label;  ///< On the broker's page.
-  /// For people. What stands before the first comma is the cause's name. Each part behind it holds
+  /// For people. What is before the first comma is the cause's name. Each part behind it holds
   /// numbers in braces (FateNumbers() of lib/tools/view/fate_text.h), and is left out where one of
   /// them played no part.
   std::string_view text;
@@ -156,7 +156,7 @@ inline constexpr std::array kRows = {
              CauseOutcome::kDamaged},
 };
 
-/// True where each row stands at its cause's number and lacks nothing.
+/// True where each row is at its cause's number and lacks nothing.
 consteval bool IsComplete() {
   for (size_t i = 0; i < kRows.size(); ++i) {
     const CauseRow& row = kRows[i];

@@ -29,7 +29,7 @@ struct Contact {
   LinkFactors factors;      ///< Kept when it is forgotten.
 
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< x East, y North, z down.
-  /// Where it is in truth, which packets go by; absent: where its last report puts it.
+  /// Its true position, which decides about packets. Absent: the position of its last report.
   std::optional<Eigen::Vector3d> true_position_m;
   int64_t received_utime = 0;  ///< Of its last report, by our clock; staleness counts from here.
   int64_t message_utime = kNever;       ///< Of its last message that was not too soon.

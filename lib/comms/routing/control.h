@@ -57,7 +57,7 @@ struct ControlValue {
 [[nodiscard]] ControlValue GetRule(const ControlRow& row, const RoutingRules& rules);
 void SetRule(const ControlRow& row, const ControlValue& value, RoutingRules* rules);
 
-/// The same for one vehicle. @pre row.of_vehicle, and it is no request
+/// The same for one vehicle. @pre row.of_vehicle, and it is not a request
 [[nodiscard]] double GetFactor(const ControlRow& row, const LinkFactors& factors);
 void SetFactor(const ControlRow& row, double value, LinkFactors* factors);
 

@@ -76,7 +76,7 @@ Names KeysOf(const Fates& fates) {
   return names;
 }
 
-// The manual, section 4.4: bravo stands in the list and in the group, and receives it once.
+// The manual, section 4.4: bravo is in the list and in the group, and receives it once.
 TEST(Destinations, AreTheUnionOfListAndGroupEachVehicleOnce) {
   Team team;
   team.Report("gilda", {30, 0, 0});

@@ -30,7 +30,7 @@ inline constexpr int32_t kOthers = -2;
 struct Decision {
   int32_t source = kNoContact;       ///< Index of a contact.
   int32_t destination = kNoContact;  ///< Index of a contact, kOthers, or kNoContact: none known.
-  int32_t unknown_name = -1;         ///< Where the destination is no contact: index of its name.
+  int32_t unknown_name = -1;         ///< Where the destination is not a contact: index of its name.
   int32_t count = 1;                 ///< Destinations; more than 1 only for kOthers.
   int64_t number = 0;                ///< Of the transmission; counts per source and kind.
   Kind kind = Kind::kReport;

@@ -23,8 +23,8 @@ class FateLedger {
   /// Counts a fate at intake. `source` may be null.
   void RecordRefusal(Kind kind, Cause cause, Contact* source);
 
-  /// Gives a transmission that is in transit its fate. `source` and `receiver` are null where they
-  /// are gone. @pre a cause other than kInTransit
+  /// Gives a transmission that is in transit its fate. `source` or `receiver` is null if that
+  /// vehicle was forgotten. @pre a cause other than kInTransit
   void Conclude(Kind kind, Cause cause, Contact* source, Contact* receiver);
 
   /// All fates so far by cause, those of refused transmissions included.

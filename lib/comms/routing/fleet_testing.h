@@ -28,7 +28,7 @@ class TestFleet {
                      const std::vector<std::string>& vehicles = {"alpha", "bravo", "charlie"})
       : router(rules, seed, vehicles) {}
 
-  /// Admits and routes a report. The fate of a refused one stands under "".
+  /// Admits and routes a report. The fate of a refused one is under "".
   Fates Report(std::string_view name, const Eigen::Vector3d& position_m,
                std::string_view group = {}) {
     const ReportFacts facts = {.name = name, .group = group, .position_m = position_m};

@@ -37,18 +37,20 @@ enum class Answer : uint8_t { kNext, kStops, kDelivers };
 
 /// What a rule looks at.
 enum class Scope : uint8_t {
-  /// Receivers that asked for this report: static Answer AskWanted(link, decision).
+  /// Receivers that asked for this report. The rule has static Answer AskWanted(link, decision).
   kWanted,
-  /// The receiver alone, whatever is sent from wherever: static bool StopsAt(rules, receiver,
-  /// utime, decision); static void FillLimits(rules, decision) writes what all have in common.
+  /// The receiver alone: sender and content do not matter. The rule has static bool StopsAt(rules,
+  /// receiver, utime, decision), and static void FillLimits(rules, decision), which writes the
+  /// limits
+  /// that all receivers share.
   kReceiver,
-  /// Receivers nearer than static double Reach_m(rules): static Answer AskNear(link, range_m,
-  /// decision).
+  /// Receivers within a reach. The rule has static double Reach_m(rules), and static Answer
+  /// AskNear(link, range_m, decision) for those that are nearer.
   kNear,
-  /// Stops all receivers that are not nearer than static double Reach_m(rules, stealth, earange);
-  /// static bool IsOn(rules). Nothing behind it is asked of them.
+  /// Stops all receivers beyond a reach; later rules are not asked about them. The rule has static
+  /// double Reach_m(rules, stealth, earange) and static bool IsOn(rules).
   kFar,
-  /// Anything: static bool IsOn(rules), static Answer Ask(link, decision).
+  /// Anything. The rule has static bool IsOn(rules) and static Answer Ask(link, decision).
   kLink,
 };
 

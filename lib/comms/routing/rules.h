@@ -116,7 +116,7 @@ struct RuleRange {
 };
 
 /// One rule. `of_vehicle`: each vehicle has its own value, which a mission file has in [[vehicle]];
-/// all others stand in [comms].
+/// all others are in [comms].
 struct RuleRow {
   std::string_view rule;        ///< Its key: "comms_range".
   std::string_view label = {};  ///< On the broker's page and in the viewer: "Comms Range".

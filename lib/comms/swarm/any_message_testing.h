@@ -13,7 +13,7 @@ namespace shoal {
 
 using AnySwarmMessage = std::variant<ReportMessage, LeaderMessage, BroadcastMessage>;
 
-/// Returns the message; nothing if it is none of RPRT, RSPN, LRPT and BCRQ, or too short.
+/// Returns the message; nothing if it is not one of RPRT, RSPN, LRPT and BCRQ, or too short.
 [[nodiscard]] inline std::optional<AnySwarmMessage> DecodeAnyMessage(
     std::span<const uint8_t> bytes) {
   if (auto leader = DecodeLeaderReport(bytes)) return *leader;

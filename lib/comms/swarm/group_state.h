@@ -45,7 +45,8 @@ void ResizeLog(size_t capacity, MotionLog* log);
 /// Returns the last n entries, oldest first; all where there are fewer.
 [[nodiscard]] std::vector<TimedMotion> LastEntries(const MotionLog& log, size_t n);
 
-/// What the strategy `sentinel` leaves in place of a value: no vehicle is there, nor as fast.
+/// What the strategy `sentinel` writes in place of a value: a place and a speed that no vehicle
+/// has.
 struct SentinelValues {
   double position_m = -999'999;  ///< Each coordinate.
   double speed_mps = -999;       ///< Each component.

@@ -92,8 +92,8 @@ struct SwarmReceiver {
   ReceptionCounts counts = {};
 };
 
-/// Takes one message, whatever its bytes are. Of `receiver`, `state` changes only where the result
-/// is not kRejected, and then holds finite numbers only; `counts` always changes.
+/// Takes one message of any bytes. `receiver->state` changes only if the result is not kRejected,
+/// and its numbers are finite then. `receiver->counts` always changes.
 /// @pre now_us is within +-1e15
 SwarmReception Receive(std::span<const uint8_t> bytes, int64_t now_us, SwarmReceiver* receiver);
 

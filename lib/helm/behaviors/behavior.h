@@ -46,7 +46,7 @@ struct BehaviorInputs {
   std::optional<double> last_course_deg = {};
   std::optional<double> last_speed_mps = {};
   bool avoids = false;      ///< In the iteration before it had a contact to keep clear of.
-  bool goals_rest = false;  ///< Behaviors that are no constraints are idle: an order steers.
+  bool goals_rest = false;  ///< Behaviors that are not constraints are idle: an order steers.
 };
 
 /// What a contact behavior judges its contact to be, for pages, logs and scores.

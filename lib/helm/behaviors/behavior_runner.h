@@ -126,7 +126,7 @@ class BehaviorRunner {
 };
 
 /// Returns the conditions with the contact's name for $[CONTACT], in upper case: "MARKED_HENRY =
-/// true"; for $[contact] in lower case, for $[Contact] as it is. What is no part of a variable's
+/// true"; for $[contact] in lower case, for $[Contact] as it is. What is not part of a variable's
 /// name becomes '_'; without a contact, as a recipe has none, it is CONTACT.
 [[nodiscard]] std::vector<std::string> ConditionsOf(const BehaviorOptions& options);
 

@@ -60,7 +60,7 @@ struct HelmSetup {
   std::vector<ModeOptions> modes = {};
   std::map<std::string, VariableValue> variables = {};  ///< Set before the first iteration.
   Domain domain = {};
-  bool goals_mandatory = false;  ///< Constraints alone (avoidance, limits) are no decision.
+  bool goals_mandatory = false;  ///< Constraints alone (avoidance, limits) make no decision.
   ReadUpdate read_update = {};   ///< Empty: updates are refused.
   /// Empty: MakeBehavior.
   std::function<std::unique_ptr<Behavior>(const BehaviorOptions&)> make = {};

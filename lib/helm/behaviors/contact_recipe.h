@@ -9,21 +9,21 @@
 
 namespace shoal {
 
-/// When a contact concerns a behavior, m.
+/// The distances at which a contact concerns a behavior.
 struct AlertRange {
   double alert_m = 0;
-  double cpa_m = 0;  ///< Within it, what counts is whether the contact will come within alert_m.
+  double cpa_m = 0;  ///< Within it, a contact that will come within alert_m concerns it.
   bool ends = true;  ///< What was spawned ends where the contact is farther away.
 };
 
 /// Returns the ranges of behaviors that keep clear: alert_m = pwt_outer_dist, cpa_m =
-/// completed_dist; of others with alert_range that, and a metre more. Nothing for the rest: those
-/// are spawned by updates alone.
+/// completed_dist; of others with alert_range both are this and a metre more. Nothing for the rest,
+/// which are spawned by updates only.
 [[nodiscard]] std::optional<AlertRange> AlertRangeOf(const AnyBehavior& what);
 
-/// Returns true where the contact is within cpa_m, and within alert_m or will be where both hold
-/// course and speed. False again beyond cpa_m: what was spawned ends a tenth farther away, so that
-/// a contact that comes back is noticed.
+/// Returns true if the contact is within cpa_m, and is within alert_m now or later if both keep
+/// course and speed. It is false beyond cpa_m. A behavior that was spawned ends a tenth farther
+/// away: a contact that comes back spawns another one.
 [[nodiscard]] bool IsAlert(const AlertRange& range, const VesselMotion& own,
                            const VesselMotion& contact);
 

@@ -26,7 +26,7 @@ struct OpRegionOptions {
   double max_time = 0;      ///< s; 0: off.
   double trigger_entry_time = 1;      ///< s inside before leaving counts.
   double trigger_exit_time = 0.5;     ///< s outside before it is a breach.
-  bool trigger_on_poly_entry = true;  ///< A start outside is no breach.
+  bool trigger_on_poly_entry = true;  ///< A start outside is not a breach.
   double turn_rate = 10;              ///< deg/s, for look_ahead; 0: it turns at once.
   double look_ahead = 5;              ///< s; no decision leads out of the region sooner; 0: off.
   bool soft_poly_breach = false;      ///< A breach parks the helm instead of an error.
@@ -48,9 +48,10 @@ struct OpRegionOptions {
 };
 
 /// Three zones, one in the other: core, save, halt. Inside save it has no preference. Between save
-/// and halt, once it has been inside, it prefers the shortest way back to save. Outside halt (where
-/// there is none, and no save zone: outside core) for trigger_exit_time it is breached: an
-/// all-stop. So are the limits of depth, altitude and time.
+/// and halt, once it has been inside, it prefers the shortest way back to save. After
+/// trigger_exit_time outside halt it is breached: an all-stop. Without a halt zone this holds
+/// outside core, unless there is a save zone. Limits of depth, altitude and time are breached
+/// likewise.
 ///
 /// Once inside, it allows no course and speed that lead out of the halt zone (where there is none:
 /// save, or core) within look_ahead, straight on or in the turn to that course, whatever the

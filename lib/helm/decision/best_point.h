@@ -19,8 +19,8 @@ struct GridPoint {
   auto operator<=>(const GridPoint&) const = default;  // NOLINT(modernize-use-nullptr): no pointer
 };
 
-/// Returns the point of `whole` with the greatest value, of equal ones that of the lowest course,
-/// of those the one with the lowest speed; and its value. `problem` gives
+/// Returns the point of `whole` with the greatest value, and that value. Of points with equal
+/// values it is the one with the lowest course, then with the lowest speed. `problem` gives
 ///
 ///   Number                   of values and bounds,
 ///   Bounds                   what it keeps about a box for the boxes inside,

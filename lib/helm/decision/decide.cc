@@ -201,7 +201,7 @@ class WeightedSum {
   std::array<GridPoint, 1> first_guess_;
   IntervalMaximum course_;
   IntervalMaximum speed_;
-  std::vector<Units> upper_;  ///< Rows of terms_.size(); the first one, infinite, is no box's.
+  std::vector<Units> upper_;  ///< Rows of terms_.size(); the first, infinite, is of no box.
 };
 
 /// What objectives come to, in units: tables, and terms that couple course and speed.

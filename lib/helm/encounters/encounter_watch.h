@@ -30,9 +30,9 @@ class EncounterWatch {
 
   explicit EncounterWatch(const EncounterOptions& options = {}) : options_(options) {}
 
-  /// Takes all vessels at `time_s`; a vessel keeps its place from look to look, new ones come
-  /// behind. A look that is not later than the last is ignored. Sorts along the longer side of the
-  /// area and compares only those that are near along it.
+  /// Takes all vessels at `time_s`. A vessel has the same index in each look; new ones are
+  /// appended. A look that is not later than the last is ignored. Sorts the vessels along the
+  /// longer side of the area, and compares only those that are near each other along it.
   void Look(double time_s, std::span<const VesselSample> vessels);
 
   /// Returns all encounters in order of their begin; those that are not over as they stand now.

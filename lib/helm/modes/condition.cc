@@ -186,12 +186,12 @@ class Condition::Parser {
         return Fail("there is " + InQuotes(rest) + " behind a ')'; join parts by and, or");
       }
       if (!joined_by.empty() && joined_by != op) {
-        return Fail("and, or stand side by side; add parentheses: ((A) and (B)) or (C)");
+        return Fail("and, or are side by side; add parentheses: ((A) and (B)) or (C)");
       }
       joined_by = op;
       rest = Trimmed(rest.substr(op.size()));
       if (rest.empty() || (rest.front() != '(' && rest.front() != '!')) {
-        return Fail("what stands behind " + std::string(op) + " needs parentheses: (A = 1) " +
+        return Fail("what is behind " + std::string(op) + " needs parentheses: (A = 1) " +
                     std::string(op) + " (B = 2)");
       }
     }
@@ -207,7 +207,7 @@ class Condition::Parser {
     const bool negated = text.front() == '!';
     if (negated) text = Trimmed(text.substr(1));
     if (text.empty() || text.front() != '(') {
-      return Fail("what stands behind ! needs parentheses: !(DEPLOY = true)");
+      return Fail("what is behind ! needs parentheses: !(DEPLOY = true)");
     }
     const size_t end = Closing(text, 0);
     if (end == std::string_view::npos) return Fail("a ')' is missing");

@@ -69,7 +69,7 @@ TEST(Flag, StatesWhatIsWrongAndHowToWriteIt) {
       {"RETURN = true [to] henry gilda", "behind [to]"},
       {"RETURN = \"true", "do not enclose"},
       {"RETURN = true [if] DEPLOY", "'DEPLOY' compares nothing"},
-      {"RE TURN = true", "is no name of a variable"},
+      {"RE TURN = true", "is not a name of a variable"},
   };
   for (const auto& [text, expected] : cases) {
     const auto flag = Flag::Parse(text);

@@ -23,7 +23,7 @@ std::string ModeNameProblem(const std::string& name) {
   if (name.empty()) return "the name of a mode is missing";
   if (name.find_first_of(": =\"()") == std::string::npos) return {};
   return "'" + name +
-         "' is no name of a mode: it must not hold blanks : = ( ) or quotes; parents come from "
+         "' is not a name of a mode: it must not hold blanks : = ( ) or quotes; parents come from "
          "conditions";
 }
 

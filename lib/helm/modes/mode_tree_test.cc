@@ -99,10 +99,10 @@ TEST(ModeTree, SetsSeveralVariables) {
 TEST(ModeTree, StatesWhatIsWrongWithADeclaration) {
   const std::vector<std::pair<ModeOptions, std::string>> cases = {
       {{"ACTIVE", {}}, "write it as \"MODE = ACTIVE\""},
-      {{"MY MODE = ACTIVE", {}}, "'MY MODE' is no name of a variable"},
+      {{"MY MODE = ACTIVE", {}}, "'MY MODE' is not a name of a variable"},
       {{"MODE = ", {}}, "the name of a mode is missing"},
       {{"MODE = ACTIVE:LOITERING", {}}, "parents come from conditions"},
-      {{"MODE = ACTIVE", {}, "NOT ACTIVE"}, "'NOT ACTIVE' is no name of a mode"},
+      {{"MODE = ACTIVE", {}, "NOT ACTIVE"}, "'NOT ACTIVE' is not a name of a mode"},
       {{"MODE = ACTIVE", {"DEPLOY"}}, "'DEPLOY' compares nothing"},
   };
   for (const auto& [options, expected] : cases) {

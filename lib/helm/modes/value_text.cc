@@ -35,7 +35,7 @@ std::string VariableNameProblem(std::string_view name) {
   if (name.size() > kLongestName) return "the name of a variable has more than 64 characters";
   if (!std::all_of(name.begin(), name.end(), IsOfAName)) {
     return "'" + std::string(name) +
-           "' is no name of a variable: letters, digits and _ . - are, as in DEPLOY";
+           "' is not a name of a variable: letters, digits and _ . - are, as in DEPLOY";
   }
   return {};
 }

@@ -48,14 +48,14 @@ class Modifier {
     const bool is_one =
         points.ok() && points->size() == 1 && points->front().cwiseAbs().maxCoeff() <= kFarthest_m;
     if (is_one) return points->front();
-    problem_ = fmt::format("{} = {} is no point; write it like 10,-20", item.key, item.value);
+    problem_ = fmt::format("{} = {} is not a point; write it like 10,-20", item.key, item.value);
     return std::nullopt;
   }
 
   std::optional<double> NumberOf(const UpdateItem& item) {
     const auto number = NumberIn(item.value);
     if (number && std::abs(*number) <= kFarthest_m) return number;
-    problem_ = fmt::format("{} = {} is no number up to {}", item.key, item.value, kFarthest_m);
+    problem_ = fmt::format("{} = {} is not a number up to {}", item.key, item.value, kFarthest_m);
     return std::nullopt;
   }
 

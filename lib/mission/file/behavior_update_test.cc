@@ -95,7 +95,7 @@ TEST(Update, HasTheRangesAndMessagesOfTheFile) {
   EXPECT_EQ(ErrorOf(Waypoint(), "nm_radius = 2"),
             "unknown key 'nm_radius' (here it is 'slip_radius')");
   EXPECT_EQ(ErrorOf(Waypoint(), "points = 0,0:1"),
-            "points: '1' is no point; write points like 0,0:100,0");
+            "points: '1' is not a point; write points like 0,0:100,0");
   EXPECT_NE(ErrorOf(Waypoint(), "condition = DEPLOY").find("'DEPLOY' compares nothing"),
             std::string::npos);
   EXPECT_NE(ErrorOf(Loiter(), "polygon = 0,0:1,0").find("polygon is not convex"),
@@ -119,8 +119,8 @@ TEST(Update, MovesAndScalesTheLoiterPolygon) {
   EXPECT_NEAR(scaled.front().norm(), std::sqrt(200.0) + 10, 1e-9);
   const auto small = Updated<LoiterOptions>(Loiter(), "mod_poly_rad = -100").polygon;
   EXPECT_NEAR(small.front().norm(), 5, 1e-9);
-  EXPECT_NE(ErrorOf(Loiter(), "center_assign = here").find("is no point"), std::string::npos);
-  EXPECT_NE(ErrorOf(Loiter(), "mod_poly_rad = much").find("is no number"), std::string::npos);
+  EXPECT_NE(ErrorOf(Loiter(), "center_assign = here").find("is not a point"), std::string::npos);
+  EXPECT_NE(ErrorOf(Loiter(), "mod_poly_rad = much").find("is not a number"), std::string::npos);
 }
 
 TEST(Update, MovesAStation) {

@@ -91,8 +91,8 @@ void Describe(Fields& fields, BehaviorOptions& options) {
   }
   fields.Text("name", options.name, {.min_length = 1});
   if (!options.name.empty() && !VariableNameProblem(options.name).empty()) {
-    fields.Refuse(
-        "name", Quoted(options.name) + " is no name of a behavior: letters, digits and _ . - are");
+    fields.Refuse("name", Quoted(options.name) +
+                              " is not a name of a behavior: letters, digits and _ . - are");
   }
   if (kind.empty()) {
     fields.SkipRest();  // Which keys are right depends on the kind.

@@ -64,7 +64,7 @@ void Describe(Fields& fields, Obstacle& obstacle) {
   fields.Require("id", "id = \"rock\"");
   fields.Text("id", obstacle.id, {.min_length = 1});
   if (!obstacle.id.empty() && !VariableNameProblem(obstacle.id).empty()) {
-    fields.Refuse("id", Quoted(obstacle.id) + " is no id: letters, digits and _ . - are");
+    fields.Refuse("id", Quoted(obstacle.id) + " is not an id: letters, digits and _ . - are");
   }
   fields.Require("polygon", "polygon = [[40, -10], [60, -10], [60, 10], [40, 10]]");
   ConvexCorners(fields, "polygon", obstacle.polygon_m, true);

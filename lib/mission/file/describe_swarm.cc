@@ -57,10 +57,11 @@ void DescribeFields(Fields& fields, SwarmOptions& swarm) {
                              Bound{"sentinel_speed_mps", std::abs(swarm.sentinel.speed_mps),
                                    "max_speed_mps", limits.max_speed_mps}}) {
     if (bound.value > bound.limit) continue;
-    fields.Refuse(bound.key,
-                  fmt::format("{} must be beyond {} = {:g}: a sentinel is no value that a member "
-                              "can send",
-                              bound.key, bound.limit_key, bound.limit));
+    fields.Refuse(
+        bound.key,
+        fmt::format("{} must be beyond {} = {:g}: a sentinel is not a value that a member "
+                    "can send",
+                    bound.key, bound.limit_key, bound.limit));
   }
 }
 

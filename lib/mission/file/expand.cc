@@ -122,7 +122,7 @@ const Value* FindTemplate(const Table& templates, const Table& user, Problems& p
     return nullptr;
   }
   if (const Value* found = Find(templates, *text)) {
-    // One that is no table is reported where templates are checked.
+    // One that is not a table is reported where templates are checked.
     return std::holds_alternative<Table>(found->data) ? found : nullptr;
   }
   std::vector<std::string_view> known;
@@ -175,7 +175,7 @@ class Inheritance {
       const Place& place = Find(last, "template")->place;
       const auto before = std::find(line.begin(), line.end(), &*found);
       if (before != line.end()) {
-        // Reported once, for the templates that are in the circle themselves.
+        // Reported once, and only for templates that are part of the circle.
         if (before == line.begin()) problems_.Add(place, CircleText(line));
         return line;
       }

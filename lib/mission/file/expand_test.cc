@@ -307,15 +307,16 @@ TEST(Overrides, WithoutAFormAreReported) {
   for (const std::string bad : {"", "=", "=5", "a", "a.", "a.=5", ".a=5", "a b=5", "\"a=5"}) {
     EXPECT_EQ(ErrorsAfter("", {bad}), "--set " + bad + hint);
   }
-  EXPECT_EQ(ErrorsAfter("", {"mission.name=my ship"}),
-            "--set mission.name=my ship: 'my ship' is no TOML value; a text with other characters "
-            "than letters, digits and _-.:/ needs quotes: 'name=\"...\"'\n");
+  EXPECT_EQ(
+      ErrorsAfter("", {"mission.name=my ship"}),
+      "--set mission.name=my ship: 'my ship' is not a TOML value; a text with other characters "
+      "than letters, digits and _-.:/ needs quotes: 'name=\"...\"'\n");
 }
 
 TEST(Overrides, CannotSetMoreThanOneValue) {
   EXPECT_EQ(
       ErrorsAfter("", {"mission.seed=1\n[comms]\ncomms_range=3"}),
-      "--set mission.seed=1?[comms]?comms_range=3: '1?[comms]?comms_range=3' is no TOML value; "
+      "--set mission.seed=1?[comms]?comms_range=3: '1?[comms]?comms_range=3' is not a TOML value; "
       "a text with other characters than letters, digits and _-.:/ needs quotes: "
       "'seed=\"...\"'\n");
 }

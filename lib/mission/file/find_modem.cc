@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 bool IsFile(const fs::path& path) {
   std::error_code ignored;
-  // What must not be read is not looked for either: the answer would state whether it is there.
+  // A file that must not be read is not looked for: the answer would reveal if it exists.
   return MayReadFile(path.string()) && fs::is_regular_file(path, ignored);
 }
 

@@ -27,7 +27,7 @@ struct GridName {
 };
 [[nodiscard]] GridName SplitGridName(const std::string& text);
 
-/// Returns whether it is "first", "absolute" or a date.
+/// Returns true for "first", for "absolute" and for a date.
 [[nodiscard]] bool IsGridTime(std::string_view text);
 
 /// What of a mission decides how a grid lies.

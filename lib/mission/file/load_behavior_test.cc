@@ -222,7 +222,7 @@ id = "rock"
             "15:8: constant_depth is about depth, and a surface_craft does not dive: take another "
             "model or leave it out\n"
             "18:11: unknown vehicle 'henry'; the mission has alpha\n"
-            "21:11: a vehicle is no contact of its own\n"
+            "21:11: a vehicle is not a contact of its own\n"
             "24:6: no [[obstacle]] has the id 'rock'\n");
 }
 
@@ -257,7 +257,7 @@ id = "rock"
             "7:9: depth must be [first, last, number of points]: first less than last, last at "
             "most 20000, 2 to 10001 points\n"
             "8:1: unknown key 'course' (courses are always whole degrees)\n"
-            "9:1: 'A B' is no name of a variable: letters, digits and _ . - are, as in DEPLOY\n"
+            "9:1: 'A B' is not a name of a variable: letters, digits and _ . - are, as in DEPLOY\n"
             "12:7: set = \"ACTIVE\": write it as \"MODE = ACTIVE\"\n"
             "15:13: condition 'A = 1 and B = 2': put each comparison in parentheses, (A = 1) and "
             "(B = 2), or text with the words and, or in quotes\n"

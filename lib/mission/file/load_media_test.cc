@@ -93,7 +93,7 @@ TEST(Media, TakeNamesOfTheirOwn) {
   EXPECT_EQ(ErrorsWith("[[medium]]\nname = \"vhf\"\nkind = \"radio\"\n"),
             "a medium 'vhf' exists already; give each a name of its own\n");
   EXPECT_EQ(ErrorsWith("[[medium]]\nname = \"a+b\"\nkind = \"radio\"\n"),
-            "'a+b' is no name: a medium's has letters, digits and '_'\n");
+            "'a+b' is not a name: a medium's has letters, digits and '_'\n");
 }
 
 TEST(Media, AreRefusedWhereThereAreNone) {

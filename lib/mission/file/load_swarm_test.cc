@@ -93,7 +93,7 @@ TEST(LoadSwarm, ReportsTasksWithoutOne) {
 TEST(LoadSwarm, ReportsInvalidFollowers) {
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"alpha\"\nfollowers = [\"bravo\", \"alpha\", \"bravo\", "
                        "\"delta\"]\n"),
-            "20:13: alpha leads; it is no follower\n"
+            "20:13: alpha leads; it is not a follower\n"
             "20:13: bravo is named twice\n"
             "20:13: unknown vehicle 'delta'; the mission has alpha, bravo, charlie\n");
   EXPECT_EQ(ErrorsWith("[swarm]\nleader = \"charlie\"\nfollowers = [\"alpha\"]\n"),
@@ -248,7 +248,7 @@ TEST(LoadSwarmFields, ReportsASentinelThatAMemberCouldSendAndANeutralValueThatIt
   EXPECT_EQ(
       ErrorsWith("[swarm]\nleader = \"alpha\"\n[swarm.fields]\nmax_speed_mps = 5\n"
                  "sentinel_speed_mps = -5\nneutral_velocity_mps = [0, 6, 0]\n"),
-      "22:22: sentinel_speed_mps must be beyond max_speed_mps = 5: a sentinel is no value that "
+      "22:22: sentinel_speed_mps must be beyond max_speed_mps = 5: a sentinel is not a value that "
       "a member can send\n"
       "23:24: neutral_velocity_mps must not be beyond max_speed_mps = 5\n");
 }

@@ -74,7 +74,7 @@ void ValidateAcousticReports(const Mission& mission, const TablePlace& file);
 void ValidateMedia(const Mission& mission, const TablePlace& file);
 /// The part of it that a text of media has (load_media.h).
 void ValidateMedia(const MediaSetup& setup, const TablePlace& file);
-/// Refuses, at `key`, each name of a choice that is none of `media`.
+/// Refuses, at `key`, each name of a choice that is not one of `media`.
 void ValidateChoice(const TablePlace& place, std::string_view key, const MediaChoice& choice,
                     const std::vector<std::string>& media);
 /// [swarm], or each [[swarm]] by itself.
@@ -117,8 +117,8 @@ void WarnOfMessages(const Mission& mission, const TablePlace& file);
 void WarnOfDivers(const Mission& mission, const TablePlace& file);
 void ValidateExpectations(const Mission& mission, const TablePlace& file);
 
-/// Refuses the name under `key` where no vehicle of `mission` has it; else writes it as the
-/// vehicle's table does. "all" is left alone where `or_all`.
+/// Refuses the name under `key` if no vehicle of `mission` has it; else gives it the case of the
+/// vehicle's own table. With `or_all` the name "all" is accepted, and not changed.
 void ResolveVehicle(const TablePlace& place, std::string_view key, std::string& name,
                     const Mission& mission, bool or_all);
 

@@ -80,7 +80,7 @@ void CheckOthers(const Mission& mission, const Vehicle& vehicle, const TablePlac
     const TablePlace table = place.Below("behavior", i);
     if (const ContactOptions* contact = ContactOptionsOf(behavior.what)) {
       if (!contact->contact.empty() && contact->contact == vehicle.name) {
-        table.Refuse("contact", "a vehicle is no contact of its own");
+        table.Refuse("contact", "a vehicle is not a contact of its own");
       } else if (!std::any_of(mission.vehicles.begin(), mission.vehicles.end(), reports_to_it) &&
                  !vehicle.sonar.is_fitted) {
         table.Warn("", fmt::format("{} never has a contact: no other vehicle reports its position",

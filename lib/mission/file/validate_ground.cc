@@ -123,7 +123,7 @@ class GroundCheck {
         touch.place_m.y(), is_land ? std::string() : ", where " + FloorText(touch.floor_m));
     const auto* auv = std::get_if<Remus100Options>(&vehicle.model);
     if (auv != nullptr && touch.floor_m > auv->seabed_clearance_m && auv->seabed_clearance_m > 0) {
-      // Whoever writes the clearance lets the vehicle follow the floor.
+      // A user who writes the clearance wants the vehicle to follow the floor.
       if (place.Below("remus100").Has("seabed_clearance_m")) return;
       table.Warn(
           way.key,

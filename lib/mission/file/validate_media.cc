@@ -41,7 +41,7 @@ void CheckMedium(const TablePlace& place, const std::vector<MediumOptions>& medi
                             name == kDirectMedium ? "at once and without loss"
                                                   : "with the options of [acoustics]"));
   } else if (!IsLegalVehicleName(name)) {
-    place.Refuse("name", Quoted(name) + " is no name: a medium's has letters, digits and '_'");
+    place.Refuse("name", Quoted(name) + " is not a name: a medium's has letters, digits and '_'");
   }
   for (size_t i = 0; i < number; ++i) {
     if (media[i].name != name) continue;

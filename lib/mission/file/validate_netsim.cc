@@ -93,7 +93,7 @@ TablePlace PlaceOf(const Acoustics& acoustics, const Mission& mission, const Tab
   return file.Below("acoustics");
 }
 
-/// Warns where models that are no modem's damage nearly every packet, and all that is damaged is
+/// Warns where models other than a modem's damage nearly every packet, and all that is damaged is
 /// thrown away.
 void WarnOfBitErrors(const Mission& mission, const TablePlace& file) {
   constexpr int kShort_bytes = 47;   // A Micro-Modem's packet of rate 0, with 32 bytes of data.

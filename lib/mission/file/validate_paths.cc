@@ -18,8 +18,8 @@
 namespace shoal {
 namespace {
 
-/// Steeper, the autopilot of the default Remus 100 has no pitch left to correct with: it is at most
-/// 20 degrees (lib/vehicle/control/auv_pilot.cc).
+/// On a steeper path the autopilot of the default Remus 100 cannot correct depth any more: its
+/// pitch is at most 20 degrees (lib/vehicle/control/auv_pilot.cc).
 constexpr double kSteepest_deg = 18;
 /// Its turning circle has a diameter of 45 m at 2 m/s.
 constexpr double kTightestTurn_m = 22.5;

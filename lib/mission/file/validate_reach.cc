@@ -39,8 +39,8 @@ Eigen::Vector3d BeginningOf_m(const Vehicle& vehicle, size_t task) {
   return {vehicle.start.x_m, vehicle.start.y_m, vehicle.start.depth_m};
 }
 
-/// A way that takes longer than this many missions is a mistake, even where nothing waits
-/// for its end.
+/// A way that takes longer than this number of missions is a mistake, even if nothing waits for its
+/// end.
 constexpr double kMistakenDuration = 1.5;
 
 /// Paths of underwater vehicles have their own (validate_paths.cc). A survey may well go on until

@@ -22,7 +22,7 @@ void CheckFollowers(const TablePlace& place, const Mission& mission, const Swarm
   std::set<std::string_view> seen;
   for (const std::string& follower : swarm.followers) {
     if (follower == swarm.leader) {
-      place.Refuse("followers", fmt::format("{} leads; it is no follower", follower));
+      place.Refuse("followers", fmt::format("{} leads; it is not a follower", follower));
     } else if (!seen.insert(follower).second) {
       place.Refuse("followers", fmt::format("{} is named twice", follower));
     }
@@ -170,7 +170,7 @@ void ValidateSwarm(const Mission& mission, const TablePlace& file) {
   for (size_t i = 0; i < mission.swarms.size(); ++i) {
     const SwarmOptions& swarm = mission.swarms[i];
     const TablePlace place = TableOfSwarm(mission, file, i);
-    // What is wrong with one of several may be how it names its members.
+    // If one of several swarms is wrong, its followers may be wrong too, and are not checked.
     if (swarm.name.empty() || place.IsSound()) CheckFollowers(place, mission, swarm);
     if (!AcousticsOf(mission, swarm.over).is_used) {
       place.Refuse("leader",

@@ -47,7 +47,7 @@ class CfReader {
   }
 
  private:
-  /// An axis of the variable, and how far apart its neighbours stand in the file.
+  /// An axis of the variable, and how far apart its neighbours are in the file.
   struct Role {
     CfAxis axis = {.points = {0}, .source = {0}};
     const NetcdfVariable* coordinate = nullptr;  ///< Null: there is none.
@@ -277,7 +277,7 @@ class CfReader {
            StrideOf(degrees.dimensions[1]);
   }
 
-  /// Returns the stride of a dimension of the plane; nothing: it is none.
+  /// Returns the stride of a dimension of the plane; nothing: it is not one.
   std::optional<size_t> StrideOf(uint32_t dimension) const {
     const auto loose = std::ranges::find(loose_, dimension, &Loose::dimension);
     if (loose != loose_.end()) return loose->stride;

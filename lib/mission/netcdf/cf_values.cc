@@ -72,7 +72,7 @@ struct ValueRule {
 };
 
 /// Returns which range of the rule the bounds of an attribute belong to: they are numbers as they
-/// stand in the file, unless these are packed integers and the attribute is of the type that they
+/// are in the file, unless these are packed integers and the attribute is of the type that they
 /// are unpacked to.
 ValueRange& RangeFor(const NetcdfVariable& variable, const char* bound, ValueRule& rule) {
   const bool is_packed = IsInteger(variable.type) && !(variable.NumbersOf("scale_factor").empty() &&

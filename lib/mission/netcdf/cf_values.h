@@ -1,4 +1,4 @@
-// The numbers of a NetCDF variable, from what stands in the file.
+// The numbers of a NetCDF variable, from what is in the file.
 #pragma once
 
 #include <vector>

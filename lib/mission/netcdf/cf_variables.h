@@ -31,7 +31,8 @@ struct FloorStatement {
 /// quantity, as the height of the sea's surface. Nothing: it may be one.
 [[nodiscard]] std::optional<std::string> OtherThanFloor(const NetcdfVariable& variable);
 
-/// Returns why a variable is no component of a current likewise: it is one of wind, waves or ice.
+/// Returns why a variable is not a component of a current likewise: it is one of wind, waves or
+/// ice.
 [[nodiscard]] std::optional<std::string> OtherThanCurrent(const NetcdfVariable& variable);
 
 /// Returns whether a variable has a name that models give to depths: depth, deptho, h, ... It is no

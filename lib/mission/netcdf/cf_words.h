@@ -21,7 +21,7 @@ inline std::vector<std::string_view> WordsOf(std::string_view text) {
   return words;
 }
 
-/// Returns a name as it may stand in a message: short, and printable.
+/// Returns a name as it may be in a message: short, and printable.
 inline std::string PrintableName(std::string_view name) {
   std::string printable(name.substr(0, 60));
   for (char& c : printable) {

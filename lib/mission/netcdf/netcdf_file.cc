@@ -59,7 +59,7 @@ bool ReadWithin(int pipe, double longest_s, size_t most_bytes, std::string* text
   return false;
 }
 
-/// Returns why a reader that ended like this has no answer.
+/// Returns the reason why a reader that ended with this status gave no answer.
 std::string Failure(int status) {
   if (!WIFSIGNALED(status)) {
     return fmt::format("shoal-netcdf ended without a whole answer (exit code {}); {}",
@@ -132,7 +132,9 @@ Result<NetcdfFile> NetcdfFile::Open(int fd, const std::string& name, NetcdfReade
   for (std::string each = reply.TakeText(); reply.ok() && !each.empty(); each = reply.TakeText()) {
     file.coordinates_[each] = reply.TakeNumbers();
   }
-  if (!header || !reply.IsWhole()) return Error{name + ": what it holds is no header; " + kDamaged};
+  if (!header || !reply.IsWhole()) {
+    return Error{name + ": what it holds is not a header; " + kDamaged};
+  }
   file.header_ = std::move(*header);
   return file;
 }

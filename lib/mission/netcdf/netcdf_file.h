@@ -47,7 +47,7 @@ class NetcdfFile {
   const NetcdfHeader& header() const { return header_; }
   const std::string& name() const { return name_; }
 
-  /// Returns the values of a variable of header(), as they stand in the file: packed ones are not
+  /// Returns the values of a variable of header(), as they are in the file: packed ones are not
   /// unpacked, the last dimension varies fastest. An error names file, variable and remedy.
   [[nodiscard]] Result<std::vector<double>> Read(const NetcdfVariable& variable) const;
 

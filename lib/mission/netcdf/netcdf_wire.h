@@ -103,7 +103,7 @@ class NetcdfReply {
 /// Appends a header.
 void AddHeader(const NetcdfHeader& header, NetcdfReplyWriter* writer);
 
-/// Returns the header, or nothing where it is none: of another form, or with an index beyond its
+/// Returns the header, or nothing if it is not one: of another form, or with an index beyond its
 /// dimensions.
 [[nodiscard]] std::optional<NetcdfHeader> TakeHeader(NetcdfReply* reply);
 

@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-/// For reading too, so that a pipe without a reader is no SIGPIPE.
+/// For reading too, so that a pipe without a reader causes no SIGPIPE.
 FileDescriptor OpenForLines(const std::string& path) {
   FileDescriptor file(
       open(path.c_str(), O_RDWR | O_APPEND | O_CREAT | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, 0644));

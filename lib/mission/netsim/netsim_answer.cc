@@ -20,7 +20,7 @@ NetsimReply Without(NotARequest reason) {
       break;
     case NotARequest::kUnknownMessage:
       reply.outcome = NetsimOutcome::kUnknownMessage;
-      reply.problem = "a message that is no netsim.protobuf.NetSimManagerRequest";
+      reply.problem = "a message that is not a netsim.protobuf.NetSimManagerRequest";
       break;
     case NotARequest::kBadBase64:
       reply.outcome = NetsimOutcome::kUndecodable;

@@ -62,9 +62,9 @@ class Fields {
   virtual bool IsSound() const { return true; }
   /// Demands `key`; `example` is the line that the message proposes.
   virtual void Require(std::string_view /*key*/, std::string_view /*example*/) {}
-  /// `name` is no key here, but a user may expect it; the error for it gives this hint.
+  /// `name` is not a key here, but a user may expect it; the error for it gives this hint.
   virtual void NoKey(std::string_view /*name*/, const std::string& /*hint*/) {}
-  /// Declares `key` a known one that is not read here.
+  /// Declares that `key` is known, although it is not read here.
   virtual void Skip(std::string_view /*key*/) {}
   /// Declares all keys known: for a table that is wrong in a way that leaves them without meaning.
   virtual void SkipRest() {}

@@ -29,7 +29,7 @@ bool IsBareWord(std::string_view text) {
          });
 }
 
-/// Splits the path before '='; a part may stand in double quotes. Returns the path and where '='
+/// Splits the path before '='; a part may be in double quotes. Returns the path and where '='
 /// is; an empty path where the text has not this form.
 std::pair<std::vector<std::string>, size_t> SplitPath(std::string_view text) {
   std::vector<std::string> path;
@@ -104,7 +104,7 @@ std::optional<Override> ParseOverride(std::string_view text, int64_t number, Pro
   std::optional<Value> value = ParseTomlValue(value_text, place);
   if (!value && IsBareWord(value_text)) value = Value{place, std::string(value_text)};
   if (!value) {
-    problems.Add(place, fmt::format("{} is no TOML value; a text with other characters than "
+    problems.Add(place, fmt::format("{} is not a TOML value; a text with other characters than "
                                     "letters, digits and _-.:/ needs quotes: '{}=\"...\"'",
                                     Quoted(value_text), path.back()));
     return std::nullopt;

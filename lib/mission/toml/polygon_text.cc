@@ -89,7 +89,7 @@ Result<std::vector<Eigen::Vector2d>> ParsePoints(std::string_view text) {
     if (x && y) {
       points.emplace_back(*x, *y);
     } else if (problem.empty()) {
-      problem = "'" + std::string(part) + "' is no point; write points like 0,0:100,0";
+      problem = "'" + std::string(part) + "' is not a point; write points like 0,0:100,0";
     }
   });
   if (!problem.empty()) return Error{problem};

@@ -27,7 +27,7 @@ class Problems {
   void WarnOfFailure(const Place& place, std::string text);
 
   /// Sets what returns the table, "[comms]", that has a key; nothing for keys that none has. For
-  /// keys that stand in the wrong one.
+  /// keys that are in the wrong one.
   void SetHomes(std::function<std::string(std::string_view key)> home_of) {
     home_of_ = std::move(home_of);
   }

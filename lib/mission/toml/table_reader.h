@@ -81,7 +81,7 @@ class TableReader final : public Fields {
                                         NumberLimits range);
 
   const Value& source_;
-  const Table* table_;  ///< Null where the source is no table, which was reported.
+  const Table* table_;  ///< Null where the source is not a table, which was reported.
   bool skips_rest_ = false;
   std::string title_;
   Problems& problems_;

@@ -45,7 +45,7 @@ struct Entry {
 const Value* Find(const Table& table, std::string_view key);
 Value* Find(Table& table, std::string_view key);
 
-/// Returns the string under `key`, or nullptr where there is none or it is no string.
+/// Returns the string under `key`, or nullptr where there is none or it is not a string.
 const std::string* FindText(const Value& table, std::string_view key);
 
 /// Gives `key` this value, whether it is there already or not.

@@ -278,7 +278,7 @@ class CsvTrackReader {
                     [](std::string_view cell) { return !cell.empty(); })) {
       return fmt::format(
           "this line has {} cells, and the header names {} columns: decimals have a point, and a "
-          "cell that holds the separator stands in double quotes",
+          "cell that holds the separator is in double quotes",
           cells_.size(), names_.size());
     }
     const bool is_chosen = source_.vessel.empty() || IsOfVessel();

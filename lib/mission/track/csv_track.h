@@ -19,7 +19,7 @@
 //
 // Of a heading or a speed that is unknown (empty, NaN, null, none, na, n/a, -; a heading of 511, as
 // in AIS) the points decide. NAV_<V>.csv of `shoal log csv` is such a table. Columns are separated
-// by commas, else by semicolons, else by tabs; cells may stand in double quotes. Lines that are
+// by commas, else by semicolons, else by tabs; cells may be in double quotes. Lines that are
 // blank or begin with # are passed over.
 #pragma once
 

@@ -23,7 +23,7 @@ namespace shoal {
 
 namespace {
 
-/// Longer texts are no numbers and no times.
+/// Longer texts are neither numbers nor times.
 constexpr size_t kMaxText = 100;
 /// GPX has seven levels, and extensions a few more. A parser remembers each open element, each name
 /// and all of an element until it ends.
@@ -130,7 +130,7 @@ class GpxReader {
       return "the text is not in the encoding that the file names (UTF-8 if it names none): save "
              "it as UTF-8";
     }
-    return fmt::format("this is no sound XML ({}); is the file complete, and GPX?",
+    return fmt::format("this is not well-formed XML ({}); is the file complete, and GPX?",
                        XML_ErrorString(error));
   }
 
@@ -160,7 +160,7 @@ class GpxReader {
   }
 
   void OpenTrack() {
-    // A track without points is none.
+    // A track without points does not count.
     if (!tracks_.empty() && tracks_.back().points.empty() && tracks_.back().problem.empty()) {
       tracks_.pop_back();
     }

@@ -256,13 +256,14 @@ TEST(GpxTrackErrors, ComeBeforeAnyMemoryGrows) {
 }
 
 TEST(GpxTrackErrors, NameTheLineAndTheRemedy) {
-  ExpectError("", "ferry.gpx:1: this is no sound XML (no element found)", "complete");
-  ExpectError("t_s,x_m,y_m\n", "ferry.gpx:1: this is no sound XML", "GPX");
+  ExpectError("", "ferry.gpx:1: this is not well-formed XML (no element found)", "complete");
+  ExpectError("t_s,x_m,y_m\n", "ferry.gpx:1: this is not well-formed XML", "GPX");
   ExpectError("<kml></kml>", "ferry.gpx:1: the document is <kml>", "must be <gpx>");
   ExpectError("<gpx><rte/></gpx>", "ferry.gpx: no <trkpt> in it", "export the track");
-  ExpectError(kGood.substr(0, kGood.size() - 30), "ferry.gpx:10: this is no sound XML", "complete");
-  ExpectError(With("<trkseg>", "<trkseg><b>"), "ferry.gpx:9: this is no sound XML (mismatched",
+  ExpectError(kGood.substr(0, kGood.size() - 30), "ferry.gpx:10: this is not well-formed XML",
               "complete");
+  ExpectError(With("<trkseg>", "<trkseg><b>"),
+              "ferry.gpx:9: this is not well-formed XML (mismatched", "complete");
   ExpectError(With("lat=\"54.401\"", "lat=\"north\""), "ferry.gpx:6: this <trkpt> needs two",
               "lat=");
   ExpectError(With("lat=\"54.401\"", "lat=\"inf\""), "ferry.gpx:6: this <trkpt> needs two", "lat=");

@@ -33,7 +33,7 @@ class IsoReader {
     rest_.remove_prefix(1);
     return true;
   }
-  /// The part of a second behind its point.
+  /// Reads the digits behind the decimal point of the seconds.
   int64_t Fraction_us() {
     int64_t fraction_us = 0;
     int64_t unit_us = kSecond_us;

@@ -136,7 +136,7 @@ std::string TrackBuilder::WhyFar(const GeoPoint& place) const {
 std::string TrackBuilder::Add(ReplayFix fix, GeoPoint place, uint64_t line) {
   if (std::abs(place.lat_deg) > 90 || place.lon_deg < -180 || place.lon_deg > 360) {
     return fmt::format(
-        "latitude {:g}, longitude {:g} is no place: latitudes are from -90 to 90, "
+        "latitude {:g}, longitude {:g} is not a place: latitudes are from -90 to 90, "
         "longitudes from -180 to 360 degrees{}",
         place.lat_deg, place.lon_deg,
         std::abs(place.lat_deg) > 90 && std::abs(place.lon_deg) <= 90

@@ -90,7 +90,7 @@ class TrackBuilder {
   uint64_t longest_gap_line_ = 0;  ///< Of its end.
 };
 
-/// Returns a word of a file as it may stand in a message: short, printable, in quotes.
+/// Returns a word of a file as it may be in a message: short, printable, in quotes.
 [[nodiscard]] std::string QuotedWord(std::string_view word);
 
 }  // namespace shoal

@@ -112,7 +112,7 @@ std::optional<Error> TakeMedia(const BrokerRules& rules, BrokerSetup* setup) {
   }
   for (const AcousticNode& node : rules.vehicles) {
     if (node.address <= 0) {
-      return Error{fmt::format("COMMS_RULES: {} is no acoustic address", node.address)};
+      return Error{fmt::format("COMMS_RULES: {} is not an acoustic address", node.address)};
     }
   }
   setup->nodes = rules.vehicles;

@@ -27,16 +27,16 @@ class Option;
 
 namespace shoal {
 
-/// An option, a flag or a value by its position; the Program of its command owns it. What restricts
-/// it returns it, so that calls can be chained.
+/// An option, a flag or a value by its position; the Program of its command owns it. Functions
+/// that restrict it return it, so that calls can be chained.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
 
   Option Required() const;
-  /// May be given only where `other` is.
+  /// May be given only together with `other`.
   Option Needs(Option other) const;
-  /// May not be given where `other` is.
+  /// May not be given together with `other`.
   Option Excludes(Option other) const;
 
   /// `check` returns what is wrong with a value, or nothing.

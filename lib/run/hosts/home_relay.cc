@@ -165,7 +165,7 @@ LinkMessage HomeRelay::BatchFor(size_t number) const {
   return batch;
 }
 
-/// Empty: it is no genuine answer of participants of this host alone.
+/// Empty: it is not a genuine answer of participants of this host alone.
 std::string HomeRelay::PublisherOfAnswer(const Host& host, const LinkPart& part) {
   const auto opened = bus_.Open(part.name, part.data);
   if (!opened) return {};

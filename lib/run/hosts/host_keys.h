@@ -23,8 +23,8 @@ HostKey MakeHostKey();
 /// cannot be written.
 [[nodiscard]] Result<bool> WriteHostKey(const HostKey& key, const std::string& prefix);
 
-/// Reads a pair. An error where it is missing (the remedy is `shoal host keygen`), is no plain file
-/// of this user's, or can be read by others.
+/// Reads a pair. An error where it is missing (the remedy is `shoal host keygen`), is not a plain
+/// file of this user's, or can be read by others.
 [[nodiscard]] Result<HostKey> ReadHostKey(const std::string& path);
 
 /// Returns the public key that `text` is, or that the file `text` holds (relative to `folder`).

@@ -263,7 +263,7 @@ TEST(HostOffer, ArrivesAsItWasSent) {
   LinkMessage wrong = ToLinkMessage(offer, 5);
   std::erase_if(wrong.parts, [](const LinkPart& part) { return part.name == "grouping"; });
   wrong.AddText("grouping", "boats");
-  EXPECT_NE(OfferOf(wrong).error().find("'boats' is no grouping"), std::string::npos);
+  EXPECT_NE(OfferOf(wrong).error().find("'boats' is not a grouping"), std::string::npos);
 }
 
 /// Returns the error of an offer one of whose parts has another text.

@@ -28,7 +28,7 @@ const char* WhyNotExecuted(int error) {
              "names "
              "one too many)";
     case ENOEXEC:
-      return "it is no program of this machine; a script begins with #! and its interpreter";
+      return "it is not a program of this machine; a script begins with #! and its interpreter";
     case EACCES:
       return "permission denied, for it or its interpreter";
     default:

@@ -29,7 +29,7 @@ class LaunchTerminal {
 
  private:
   const bool is_interactive_;
-  bool has_progress_ = false;  ///< The cursor stands behind the progress line.
+  bool has_progress_ = false;  ///< The cursor is behind the progress line.
 };
 
 }  // namespace shoal

@@ -30,8 +30,8 @@ int RunMission(const RunOptions& options, const Mission& mission, const Launched
 
 class Launcher {
  public:
-  /// `ports` must be claimed. `access`: where the mission has hosts that run something. Nothing is
-  /// started before Run.
+  /// `ports` must be claimed. `access` is given if the mission has hosts that run
+  /// something. No process starts before Run().
   Launcher(const RunOptions& options, const Mission& mission, const LaunchedApps& apps,
            PortPlan ports, int64_t mission_id, const MissionSecret& secret, int secret_fd,
            std::string log_dir, std::optional<HostAccess> access);

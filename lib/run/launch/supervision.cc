@@ -60,7 +60,7 @@ bool IsByHand(const RosterProcess& process) {
 /// True where it runs on another computer.
 bool IsOnHost(const RosterProcess& process) { return !process.entries.front().host.empty(); }
 
-/// Returns ", and with it helm_alpha, ...": the participants of a group; empty: it is none.
+/// Returns ", and with it helm_alpha, ...": the participants of a group; empty: it is not one.
 std::string AndItsParticipants(const RosterProcess& process) {
   if (!process.is_group()) return "";
   std::vector<std::string> names;
@@ -69,7 +69,7 @@ std::string AndItsParticipants(const RosterProcess& process) {
 }
 
 /// Waits for the exit of a child, which `signal_fd` reports, or for `timeout_us`. Other signals are
-/// taken off it too: all is ending already.
+/// read from it and ignored, since the mission is ending.
 void AwaitExit(int signal_fd, int64_t timeout_us) {
   pollfd waited = {.fd = signal_fd, .events = POLLIN, .revents = 0};
   poll(&waited, 1, static_cast<int>((timeout_us + 999) / 1000));

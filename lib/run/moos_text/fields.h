@@ -3,9 +3,9 @@
 //   NAME=alpha,X=51.7,MODE=MODE@ACTIVE:LOITERING,NOTE="a, b",TRAJECTORY={1,2:3,4}
 //
 // Blanks around keys and values do not count, nor do empty fields (",,"). A value may hold anything
-// but a comma; one with a comma stands in double quotes, or begins with '{' and runs to the '}'
+// but a comma; one with a comma is in double quotes, or begins with '{' and runs to the '}'
 // that closes it. Within double quotes \" \\ \n \r \t and \x1b stand for one character each; any
-// other backslash is itself. Keys may stand in double quotes too.
+// other backslash is itself. Keys may be in double quotes too.
 #pragma once
 
 #include <string>

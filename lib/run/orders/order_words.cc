@@ -78,7 +78,7 @@ std::string Rows(std::string_view prefix, std::span<const CommandShape> shapes) 
   return text;
 }
 
-/// What stands in a helm command's place, but is for others.
+/// What is in a helm command's place, but is for others.
 const std::vector<CommandShape>& OtherCommands() {
   static const std::vector<CommandShape> shapes = {
       {"sim", true, {0}, "COMMAND: an order to the simulator"},
@@ -176,14 +176,14 @@ Result<unc_control_t> ParseRuleWords(const ControlRow& row, std::span<const std:
     control.vehicle = words.front();
     if (!IsLegalVehicleName(control.vehicle)) {
       return Error{
-          fmt::format("{} is no vehicle's name; {}", Quoted(words.front()), RuleUsage(row))};
+          fmt::format("{} is not a vehicle's name; {}", Quoted(words.front()), RuleUsage(row))};
     }
   }
   if (!takes_value) return control;
   const std::optional<ControlValue> value = ParseControlValue(row, words.back());
   if (!value) {
     return Error{
-        fmt::format("{} is no value of {}; {}", Quoted(words.back()), row.rule, RuleUsage(row))};
+        fmt::format("{} is not a value of {}; {}", Quoted(words.back()), row.rule, RuleUsage(row))};
   }
   SetValue(*value, &control);
   return control;
@@ -198,7 +198,7 @@ Result<clock_command_t> ParseClockWords(std::span<const std::string> words) {
   if (words[0] == "seek") {
     const std::optional<double> to_s = ReadNumber<double>(arguments->text);
     if (!to_s || !(*to_s >= 0)) {
-      return Error{fmt::format("{} is no time: give seconds since the log's begin",
+      return Error{fmt::format("{} is not a time: give seconds since the log's begin",
                                Quoted(arguments->text))};
     }
     command.command = fmt::format("seek {}", *to_s);
@@ -208,7 +208,7 @@ Result<clock_command_t> ParseClockWords(std::span<const std::string> words) {
   const std::optional<double> warp = ParseWarp(arguments->text);
   if (!warp) {
     return Error{
-        fmt::format("{} is no warp: give a number from 1e-6 to 1e6, or max: as fast as possible",
+        fmt::format("{} is not a warp: give a number from 1e-6 to 1e6, or max: as fast as possible",
                     Quoted(arguments->text))};
   }
   command.warp = *warp;

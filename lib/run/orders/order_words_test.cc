@@ -29,13 +29,13 @@ TEST(RuleWords, StandForAValueAndAVehicleWhereTheRuleIsOfOne) {
 TEST(RuleWords, ThatAreWrongAreAnsweredWithWhatTheRuleTakes) {
   EXPECT_EQ(RuleError("comms_range", {}), "usage: shoal send comms_range 250 (metres, or nolimit)");
   EXPECT_EQ(RuleError("comms_range", {"far"}),
-            "'far' is no value of comms_range; usage: shoal send comms_range 250 (metres, or "
+            "'far' is not a value of comms_range; usage: shoal send comms_range 250 (metres, or "
             "nolimit)");
   EXPECT_EQ(RuleError("stealth", {"0.5"}), "usage: shoal send stealth VEHICLE 0.5 (0 to 1)");
   EXPECT_EQ(RuleError("stealth", {"alpha", "1.5"}),
-            "'1.5' is no value of stealth; usage: shoal send stealth VEHICLE 0.5 (0 to 1)");
+            "'1.5' is not a value of stealth; usage: shoal send stealth VEHICLE 0.5 (0 to 1)");
   EXPECT_EQ(RuleError("stealth", {"all", "0.5"}),
-            "'all' is no vehicle's name; usage: shoal send stealth VEHICLE 0.5 (0 to 1)");
+            "'all' is not a vehicle's name; usage: shoal send stealth VEHICLE 0.5 (0 to 1)");
   EXPECT_EQ(RuleError("full_report", {"alpha", "1"}),
             "usage: shoal send full_report VEHICLE (no value)");
 }

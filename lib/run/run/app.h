@@ -62,7 +62,7 @@ class App {
     Bytes data;
   };
   /// Answers a request at once, outside stepping, as APPCAST_REQ is answered: neither request nor
-  /// answer is part of the mission, and neither changes it. Nothing where `data` is no request.
+  /// answer is part of the mission, and neither changes it. Nothing where `data` is not a request.
   virtual std::optional<RequestAnswer> Answer(std::string_view /*channel*/,
                                               std::span<const uint8_t> /*data*/) const {
     return std::nullopt;

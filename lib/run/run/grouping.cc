@@ -64,7 +64,7 @@ Result<Grouping> ParseGrouping(std::string_view text) {
     }
   }
   return Error{fmt::format(
-      "'{}' is no grouping: app (a process per participant), vehicle (a process per vehicle), "
+      "'{}' is not a grouping: app (a process per participant), vehicle (a process per vehicle), "
       "host=N (N processes for all vehicles of a computer, 1 to {}) or host (as many as there are "
       "processors)",
       text, kMaxHostProcesses)};

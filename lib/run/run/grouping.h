@@ -28,7 +28,7 @@ struct Grouping {
 
 /// Reads "app", "vehicle", "host" or "host=N" with N from 1 to 1000. The error states these.
 [[nodiscard]] Result<Grouping> ParseGrouping(std::string_view text);
-/// Returns what ParseGrouping reads as the same: "host=2".
+/// Returns the text that ParseGrouping reads as this grouping: "host=2".
 std::string Name(const Grouping& grouping);
 
 /// A process that shoal starts, or that a user starts by hand.

@@ -87,7 +87,7 @@ TEST(Grouping, RefusesWhatIsNone) {
     ASSERT_FALSE(grouping.ok()) << text;
     EXPECT_EQ(grouping.error(),
               "'" + text +
-                  "' is no grouping: app (a process per participant), vehicle (a process per "
+                  "' is not a grouping: app (a process per participant), vehicle (a process per "
                   "vehicle), host=N (N processes for all vehicles of a computer, 1 to 1000) or "
                   "host (as many as there are processors)");
   }

@@ -36,7 +36,8 @@ std::string RunFolder();
 /// Removes a file; one that is not there is no error.
 void RemoveRunFile(std::string_view name);
 
-/// Makes an empty folder of mode 0700 in place of what may bear its name, and returns its path.
+/// Makes an empty folder of mode 0700, in place of a file or folder of this name, and returns its
+/// path.
 [[nodiscard]] Result<std::string> MakeRunSubfolder(std::string_view name);
 
 }  // namespace shoal

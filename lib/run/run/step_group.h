@@ -50,8 +50,8 @@ struct StepGroupOptions {
   int64_t mission_id = 0;  ///< 0: that of the first tick received.
   int32_t pid = 0;
   MissionSecret secret = {};
-  /// For this long a missing message is asked for again. A repeat takes well under a millisecond;
-  /// three seconds in vain mean that it never gets through. Less than the clock's time-out.
+  /// How long a missing message is asked for again. A repeat takes less than a millisecond, so
+  /// after three seconds it will never arrive. Less than the time-out of the clock.
   int64_t give_up_us = 3'000'000;
 };
 

@@ -33,7 +33,7 @@ std::optional<int64_t> StepInbox::Add(std::string_view channel, std::span<const 
   const Unsealed unsealed = Unseal(datagram);
   const auto& [message, seal, tagged, tag] = unsealed;
   if (!seal) {
-    // Pages for people are no input to a mission.
+    // Pages for people are not input to a mission.
     if (!IsAnswer(channel)) ++counters_.outside;
     if (outside_.size() >= kMaxOutside || outside_bytes_ + message.size() > kMaxOutsideBytes) {
       ++counters_.dropped;

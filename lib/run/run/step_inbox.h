@@ -66,8 +66,8 @@ class StepInbox {
   /// Returns what is still missing of the step before `tick`.
   [[nodiscard]] std::vector<MiscountedMessages> Missing(const tick_t& tick) const;
 
-  /// Returns what came of the step before `tick` beyond the announced counts: a fault of its
-  /// publisher. (Where no total names a publisher's channel, its publisher was lost; that is none.)
+  /// Returns the messages of the step before `tick` that exceed the announced counts, which is a
+  /// fault of their publisher. (A channel without a total is of a lost publisher, and not a fault.)
   [[nodiscard]] std::vector<MiscountedMessages> Excess(const tick_t& tick) const;
 
   /// A message with storage of its own.

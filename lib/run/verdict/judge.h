@@ -122,8 +122,8 @@ class Judge {
   /// or above it. Not for what is moored; a recorded track's are in Warnings instead.
   const std::vector<GroundingFact>& groundings() const { return groundings_; }
   int64_t num_groundings() const { return num_groundings_; }
-  /// Returns true where every expectation would be met, should the mission end now, and no vehicles
-  /// have collided or run aground, unless [mission] allows it.
+  /// Returns true if every expectation is met when the mission ends now, and no vehicle has
+  /// collided or run aground, unless [mission] allows that.
   [[nodiscard]] bool Passed() const;
   /// Returns why the verdict may mean little: no vehicle deployed, none that moved, vehicles that
   /// received no report, expectations met from the start. One sentence each.

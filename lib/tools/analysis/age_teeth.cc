@@ -36,8 +36,8 @@ double MaxAge_s(std::span<const AgeTooth> teeth) {
   return max_s;
 }
 
-/// A tooth spends the same time at each age between its ends: the time spent below an age is a sum
-/// of such ramps, and is followed from corner to corner until it is the share of the whole.
+/// A tooth has each age between its ends for the same time. So the time below an age is a sum of
+/// ramps. This goes along the sum from corner to corner until it is the share of the whole.
 double AgePercentile_s(std::span<const AgeTooth> teeth, double share) {
   const double whole_s = WholeTime_s(teeth);
   std::vector<std::pair<int64_t, int>> corners;  // Age, and what becomes of the number of ramps.

@@ -101,7 +101,7 @@ std::string Reason(const helm_decision_t& decision) {
                      PointWords(loser->best_course_deg, loser->best_speed_mps, -1), loss, winners);
 }
 
-/// What is no number in the reason of a decision, and the roles.
+/// What is not a number in the reason of a decision, and the roles.
 std::string Gist(const helm_decision_t& decision) {
   std::string text = decision.mode + "\n" + decision.all_stop;
   const helm_aim_t* loser = GaveUpMost(decision);

@@ -139,7 +139,7 @@ std::string InformationAge::Text(size_t max_pairs) const {
                         summary.age_95_s, summary.max_s);
   }
   if (num_left_out > 0) {
-    text += fmt::format("  ({} contacts that are no targets not shown; --all shows them)\n",
+    text += fmt::format("  ({} contacts that are not targets not shown; --all shows them)\n",
                         num_left_out);
   }
   return text + '\n';

@@ -127,7 +127,7 @@ TEST(InformationAge, IsShownForTargetsWhereThereAreMany) {
             "\n");
   const std::string text = ages.Text(1);
   EXPECT_EQ(text.find("charlie"), std::string::npos) << text;
-  EXPECT_NE(text.find("(1 contacts that are no targets not shown"), std::string::npos) << text;
+  EXPECT_NE(text.find("(1 contacts that are not targets not shown"), std::string::npos) << text;
   EXPECT_EQ(InformationAge().Text(50), "");
 }
 

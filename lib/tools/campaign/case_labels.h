@@ -36,7 +36,7 @@ inline constexpr std::string_view kPolicyKey = "policy";
 /// or as numbers.
 [[nodiscard]] bool IsSameValue(std::string_view written, std::string_view toml);
 
-/// Returns the number that TOML writes so; NaN: it is none.
+/// Returns the number that TOML writes so; NaN: it is not one.
 [[nodiscard]] double NumberOf(std::string_view toml);
 
 }  // namespace shoal

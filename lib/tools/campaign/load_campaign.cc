@@ -107,12 +107,12 @@ class CampaignReader {
     campaign_.mission_file = (std::filesystem::path(folder) / mission).lexically_normal().string();
   }
 
-  /// Returns the leaves below `table` with dotted names: what `is_leaf` accepts, or is no table.
+  /// Returns the leaves below `table` with dotted names: what `is_leaf` accepts, or is not a table.
   std::vector<KeyValue> Leaves(const Table& table, const std::string& prefix,
                                std::span<const std::string_view> leaf_keys) {
     std::vector<KeyValue> leaves;
     for (const Entry& entry : table) {
-      // A quoted key may hold a whole path; a part with a dot of its own stands in quotes there.
+      // A quoted key may hold a whole path; a part with a dot of its own is in quotes there.
       const std::string key = prefix.empty() ? entry.key : prefix + "." + PartOf(entry.key);
       const auto* below = std::get_if<Table>(&entry.value.data);
       if (below == nullptr || HasOnly(*below, leaf_keys)) {
@@ -134,9 +134,10 @@ class CampaignReader {
   bool TakeKey(const KeyValue& item, std::string_view where, bool is_of_policy) {
     Problems of_key("", {item.key});
     if (!ParseOverride(item.key + "=0", 1, of_key)) {
-      problems_.Add(item.place, fmt::format("{} is no key of a mission as --set takes it, such as "
-                                            "\"comms.comms_range\" or \"vehicle.alpha.speed\"",
-                                            Quoted(item.key)));
+      problems_.Add(item.place,
+                    fmt::format("{} is not a key of a mission as --set takes it, such as "
+                                "\"comms.comms_range\" or \"vehicle.alpha.speed\"",
+                                Quoted(item.key)));
       return false;
     }
     if (item.key == "mission.seed") {
@@ -147,9 +148,8 @@ class CampaignReader {
     }
     const auto [known, is_new] = taken_.emplace(item.key, where);
     if (is_new || (is_of_policy && known->second == where)) return true;
-    problems_.Add(item.place,
-                  fmt::format("'{}' stands in {} as well: a trial would have two values", item.key,
-                              known->second));
+    problems_.Add(item.place, fmt::format("'{}' is in {} as well: a trial would have two values",
+                                          item.key, known->second));
     return false;
   }
 
@@ -220,7 +220,7 @@ class CampaignReader {
     const auto* list = std::get_if<Array>(&together->data);
     if (list == nullptr) {
       problems_.Add(together->place,
-                    "keys that vary together stand in tables [[sweep.together]], one for each set");
+                    "keys that vary together are in tables [[sweep.together]], one for each set");
       return;
     }
     for (const Value& each : *list) ReadTogether(each);

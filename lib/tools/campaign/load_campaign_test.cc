@@ -67,7 +67,7 @@ TEST(LoadCampaign, WalksKeysTogetherInOneAxis) {
 
 TEST(LoadCampaign, RefusesAKeyThatTwoTablesSet) {
   EXPECT_NE(ErrorsOf("[sweep]\n\"a.b\" = [1, 2]\n[sample]\n\"a.b\" = {uniform = [0, 1]}\n")
-                .find("c.toml:6:1: 'a.b' stands in [sweep] as well"),
+                .find("c.toml:6:1: 'a.b' is in [sweep] as well"),
             std::string::npos);
 }
 

@@ -175,7 +175,7 @@ MadePlan MakePlan(const Campaign& campaign, const std::string& build) {
     }
     each.id = digest.Hex(kCaseDigits);
     if (!ids.insert(each.id).second) {
-      made.errors.push_back(fmt::format("{}: the case {} stands in the sweep twice", campaign.file,
+      made.errors.push_back(fmt::format("{}: the case {} is in the sweep twice", campaign.file,
                                         CaseText(campaign, each)));
     }
     if (!loaded.errors.empty() || !is_first) continue;

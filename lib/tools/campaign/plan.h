@@ -37,7 +37,8 @@ struct MadePlan {
   std::vector<std::string> programs;
 };
 
-/// Returns what the mission starts or opens beside shoal's own processes, as MadePlan::programs.
+/// Returns the programs that the mission starts, and the files and ports that it opens, but not
+/// shoal's own processes: as in MadePlan::programs.
 [[nodiscard]] std::vector<std::string> ProgramsOf(const Mission& mission);
 
 /// Returns the swept keys, in the order of the file.

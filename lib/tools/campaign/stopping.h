@@ -22,9 +22,9 @@ class Stopping {
   /// @pre rule.looks rise, each from 1 to `repetitions`; repetitions > 0
   Stopping(StopRule rule, int64_t repetitions);
 
-  /// Returns after how many repetitions a case stops, of which the first have these values (ValueOf
-  /// each); nothing: not yet. NaN is a trial without a value, with which a look of a mean cannot
-  /// decide.
+  /// Returns the number of repetitions after which a case stops, or nothing if it goes on. `values`
+  /// are those of its first repetitions (ValueOf each). NaN is a trial without a value: a look at
+  /// a mean with such a trial decides nothing.
   [[nodiscard]] std::optional<int64_t> StopsAfter(std::span<const double> values) const;
 
   /// Returns the confidence that an interval has to be made with where `num` repetitions are there,
@@ -42,7 +42,7 @@ class Stopping {
   struct Look {
     int64_t num = 0;
     double confidence = 0;
-    bool stops = false;  ///< False of the end of all repetitions where that is no look.
+    bool stops = false;  ///< False for the end of all repetitions, unless that is a look.
   };
 
   [[nodiscard]] Interval IntervalOf(std::span<const double> values, double confidence) const;

@@ -28,7 +28,7 @@ struct FieldPart {
 class FieldReader {
  public:
   /// Finds "z_m", "contacts[0].x_m" in a type of the package shoal. The error states what does
-  /// not exist or is no number, and what is there. `schema` must outlive this.
+  /// not exist or is not a number, and what is there. `schema` must outlive this.
   [[nodiscard]] static Result<FieldReader> Find(const Schema& schema, std::string_view type,
                                                 std::string_view path);
 

@@ -124,7 +124,7 @@ TEST(FieldReader, StatesWhatIsWrongWithAPath) {
   EXPECT_EQ(ErrorOf("helm_state_t", "task"), "task of helm_state_t is text, no number");
   EXPECT_EQ(ErrorOf("swarm_t", "contacts.x_m"),
             "contacts of swarm_t is an array: write contacts[0]");
-  EXPECT_EQ(ErrorOf("nav_t", "x_m[0]"), "x_m of nav_t is no array: write x_m");
+  EXPECT_EQ(ErrorOf("nav_t", "x_m[0]"), "x_m of nav_t is not an array: write x_m");
   EXPECT_EQ(ErrorOf("swarm_t", "contacts[0]"),
             "contacts[0] is a swarm_contact_t, no number: write contacts[0].name");
   EXPECT_EQ(ErrorOf("swarm_t", "contacts[0].x"),

@@ -38,7 +38,7 @@ void AppendPacked(Primitive primitive, const Scalar& value, std::string* out) {
   }
 }
 
-/// Appends a member that is no array.
+/// Appends a member that is not an array.
 void AppendSingle(Primitive primitive, uint32_t field, const Scalar& value, std::string* out) {
   switch (primitive) {
     case Primitive::kDouble:

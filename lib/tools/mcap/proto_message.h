@@ -16,8 +16,8 @@ class ProtoEncoder : private Visitor {
  public:
   explicit ProtoEncoder(const Schema& schema) : schema_(schema) {}
 
-  /// Appends an LCM message in protobuf's encoding. Text that is no UTF-8 has U+FFFD for each wrong
-  /// byte: protobuf's readers refuse it.
+  /// Appends an LCM message in protobuf's encoding. Text that is not UTF-8 has U+FFFD for each
+  /// wrong byte: protobuf's readers refuse it.
   /// @pre FindWireFault() finds none, and type is one of schema.types().
   void Append(const StructType& type, std::span<const uint8_t> message, std::string* out);
 

@@ -15,7 +15,7 @@
 namespace shoal {
 namespace {
 
-/// Returns what stands behind `word` where the line begins with it and a blank.
+/// Returns what is behind `word` where the line begins with it and a blank.
 std::string_view Behind(std::string_view word, std::string_view text) {
   const bool is_there = text.size() > word.size() &&
                         LowerCase(text.substr(0, word.size())) == word &&
@@ -115,7 +115,7 @@ class BhvParser {
       place_ = Place::kHeadless;
       return Odd(line, "begins a block without a Behavior or set line before it: it is left out");
     }
-    Odd(line, "is none of initialize, set and Behavior");
+    Odd(line, "is not one of initialize, set and Behavior");
   }
 
   static bool IsMode(const PluggedLine& line) {
@@ -123,7 +123,7 @@ class BhvParser {
     return rest.find('=') != rest.npos;
   }
 
-  /// Returns true for a line that only stands outside of blocks.
+  /// Returns true for a line that is never inside a block.
   static bool IsOfOutside(const PluggedLine& line) {
     return IsMode(line) || LowerCase(Split(line).key) == "behavior" ||
            !Behind("initialize", line.text).empty() || !Behind("initialize_", line.text).empty();
@@ -141,7 +141,7 @@ class BhvParser {
       if (!FirstMacro(one.text).empty()) {
         OddMacro(one);
       } else if (split.key.empty() || split.value.empty()) {
-        Odd(one.text.empty() ? line : one, "is no VARIABLE = value");
+        Odd(one.text.empty() ? line : one, "is not VARIABLE = value");
       } else {
         file_.initials.push_back(std::move(split));
       }

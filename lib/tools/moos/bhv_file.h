@@ -13,7 +13,7 @@
 //   }
 //
 // `//` begins a comment; a line that ends with a backslash goes on in the next. nsplug's lines are
-// resolved (nsplug.h). Nothing is an error: what is none of these is listed with the reason.
+// resolved (nsplug.h). Nothing is an error: what is not one of these is listed with the reason.
 #pragma once
 
 #include <string>

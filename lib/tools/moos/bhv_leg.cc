@@ -51,7 +51,7 @@ std::string BhvLeg::Take(std::string_view key, std::string_view value) {
     length_m = vector_m.norm();
     angle_rad = Atan2(vector_m.x(), vector_m.y());
   } else if (key != "leg") {
-    return "stands before p1 and p2";
+    return "is before p1 and p2";
   }
   if (key == "leg") {
     const auto leg = LegOf(value);

@@ -28,7 +28,7 @@ constexpr double kRadPerDeg = std::numbers::pi / 180;
 
 using Values = std::map<std::string, std::string, std::less<>>;
 
-/// Returns the number under a key, `otherwise` where it is absent, NaN where it is none.
+/// Returns the number under a key, `otherwise` where it is absent, NaN if it is not one.
 double NumberOf(const Values& values, std::string_view key, double otherwise) {
   const auto at = values.find(key);
   if (at == values.end()) return otherwise;
@@ -128,7 +128,7 @@ void DropEqualNeighbours(std::vector<Eigen::Vector2d>* points_m) {
   while (points_m->size() > 1 && points_m->front() == points_m->back()) points_m->pop_back();
 }
 
-/// Returns the snap of a form; NaN where it is none.
+/// Returns the snap of a form; NaN if it is not one.
 double SnapOf(const Values& values) {
   const double snap_m = NumberOf(values, values.contains("snap") ? "snap" : "snap_value", 0);
   return IsWithin(snap_m, 0, 1e6) ? snap_m : std::nan("");

@@ -60,7 +60,7 @@ class Importer {
     const double last_event_s = scripts_.AddEvents(files, &draft);
     posts_.AddOrders(files, options_.pokes, &fleet_, &draft, &losses_);
     AddObstacles(&draft);
-    draft.AddTable(std::string(kRest), "# What else stands in the files.");
+    draft.AddTable(std::string(kRest), "# What else is in the files.");
     draft_ = &draft;
     Assume(kMission, "duration_s", TomlNumber(std::max(600.0, std::ceil(last_event_s) + 60)),
            "Assumed: MOOS missions have no end of their own.");
@@ -124,8 +124,8 @@ class Importer {
     }
   }
 
-  /// Vessels that touch each other where they start are no failure in MOOS-IvP. Returns false where
-  /// there are none.
+  /// Vessels that touch each other where they start are not a failure in MOOS-IvP. Returns false
+  /// where there are none.
   bool LetsStartsTouch(const Mission& mission) {
     std::vector<double> lengths_m;
     std::vector<Eigen::Vector3d> positions_m;

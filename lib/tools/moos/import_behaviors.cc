@@ -186,7 +186,7 @@ BhvImport ImportBhv(const BhvFile& whole, const std::vector<std::string>& contac
   SetNamesApart(&import.tables);
   AddOrderVariables(import, &variables);
   if (!variables.lines.empty()) import.tables.insert(import.tables.begin(), std::move(variables));
-  BhvTable odd{.header = "# What else stands in " + file.name + ".", .lines = {}};
+  BhvTable odd{.header = "# What else is in " + file.name + ".", .lines = {}};
   for (const MoosOddLine& line : file.odd_lines) {
     odd.lines.push_back(
         {.key = "", .value = "", .origin = line.origin, .text = line.text, .reason = line.reason});

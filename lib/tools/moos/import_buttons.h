@@ -26,7 +26,7 @@ struct MoosButton {
 /// to which `action+ = C=3` adds, `action = A=1 # B=2` one for each setting.
 [[nodiscard]] std::vector<MoosButton> ReadButtons(const MoosBlock& block);
 
-/// Adds what stands between '#' of a button's line, or is a word of uPokeDB's, to the button.
+/// Adds what is between '#' of a button's line, or is a word of uPokeDB's, to the button.
 void ReadPosts(std::string_view text, MoosButton* button);
 
 /// Returns true for "button_one", "button_1" and "action", in any case.

@@ -14,8 +14,8 @@ namespace shoal {
 
 class FleetImport {
  public:
-  /// One vehicle per file that describes one; where none does, those that the broker's rules name,
-  /// or a single one made up.
+  /// Makes one vehicle for each file that describes one. If no file does, it makes those that the
+  /// broker's rules name, or else a single one with an invented name.
   void Name(const std::vector<MoosFile>& files, ImportLosses* losses);
 
   std::vector<VehicleImport>& vehicles() { return vehicles_; }

@@ -32,7 +32,7 @@ class ScriptImport {
   /// Returns the time of the last.
   double AddEvents(const std::vector<MoosFile>& files, MissionDraft* draft);
 
-  /// Adds to `table` what has become of a line of a script that is no event.
+  /// Adds to `table` what has become of a line of a script that is not an event.
   /// @pre the block was read
   void Remark(const MoosBlock& block, const MoosLine& line, std::string_view table,
               MissionDraft* draft, ImportLosses* losses) const;

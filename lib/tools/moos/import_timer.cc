@@ -30,7 +30,7 @@ bool IsOverride(std::string_view variable) {
          variable.starts_with("MOOS_MANUAL_OVERRIDE");
 }
 
-/// Returns true where the value stands in double quotes: any other loses its blanks.
+/// Returns true where the value is in double quotes: any other loses its blanks.
 bool IsQuotedValue(std::string_view text) {
   const size_t at = text.find("val");
   const size_t equals = at == text.npos ? text.npos : text.find('=', at);

@@ -44,9 +44,9 @@ struct TimerEvent {
   std::vector<std::pair<std::string, std::string>> keys =
       {};                    ///< Without at_s; empty: see `reason`.
   std::string assumed = {};  ///< What was assumed to make it one; may be empty.
-  std::string reason = {};   ///< Why it is no [[event]].
+  std::string reason = {};   ///< Why it is not an [[event]].
   int round = 0;             ///< Of a script that is repeated.
-  bool is_needless = false;  ///< Nothing is lost without it: `reason` is no warning.
+  bool is_needless = false;  ///< Nothing is lost without it: `reason` is not a warning.
   std::optional<TrackedPoint> point = {};
   std::optional<DriftChange> drift = {};  ///< Its keys state the drift that is there then.
 };
@@ -62,7 +62,7 @@ struct TimerScript {
   double num_resets = 0;                     ///< How often it is repeated.
   int reset_line = 0;                        ///< Of reset_max; 0: not given.
   int atomic_line = 0;                       ///< Of script_atomic = true; 0: not given.
-  /// Numbers of lines that count and are no events: random variables, delays, rounds.
+  /// Numbers of lines that count and are not events: random variables, delays, rounds.
   std::vector<int> taken = {};
 };
 
@@ -93,8 +93,9 @@ struct TimerContext {
   std::string idle = {};
 };
 
-/// Reads a block of uTimerScript. What is random there is drawn here, from the same distribution
-/// and the same in each import. Of a script that is repeated the rounds of the first 600 s.
+/// Reads a block of uTimerScript. Random times and values are drawn here, from the same
+/// distributions; each import draws the same. A script that is repeated gives the rounds of its
+/// first 600 s.
 [[nodiscard]] TimerScript ReadTimerScript(const MoosBlock& block, const TimerContext& context);
 
 }  // namespace shoal

@@ -251,8 +251,8 @@ bool VehicleImport::TakeStart(const std::string& origin, const MoosLine& line,
   return true;
 }
 
-/// `Domain = speed:0:4:41` is what the helm decides about; the depths' last is also how deep a
-/// vehicle may go.
+/// `Domain = speed:0:4:41` gives the values among which the helm decides. The last depth is also
+/// the greatest depth of the vehicle.
 bool VehicleImport::TakeDomain(const std::string& origin, const MoosLine& line,
                                std::vector<std::string>* warnings) {
   const std::vector<std::string_view> parts = TrimmedParts(line.value, ':');
@@ -335,7 +335,7 @@ bool VehicleImport::TakeNoLimit(std::string_view key, const std::string& origin,
                .value = is_rudder ? kNoRudderRate_degps : kNoAcceleration_mps2,
                .origin = origin,
                .text = line.text,
-               .reason = "0 is no limit there."});
+               .reason = "0 is not a limit there."});
   return true;
 }
 

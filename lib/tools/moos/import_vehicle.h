@@ -30,8 +30,8 @@ struct ScriptTimer {
 
 class VehicleImport {
  public:
-  /// `remark` stands above its name. Made-up vehicles are not `is_imported`. An `is_underwater` one
-  /// becomes a Remus 100.
+  /// `remark` is the comment above its name. `is_imported` is false for an invented vehicle. With
+  /// `is_underwater` it becomes a Remus 100.
   VehicleImport(size_t number, std::string name, std::string remark, bool is_imported,
                 bool is_underwater);
 
@@ -80,7 +80,7 @@ class VehicleImport {
   /// The draft's table [[vehicle]] of this one.
   const std::string& table() const { return id_; }
   std::string TableOf(SettingPlace place) const;
-  /// Where lines of this app belong that are no settings.
+  /// Where lines of this app belong that are not settings.
   std::string TableOfApp(std::string_view app_class) const;
 
  private:

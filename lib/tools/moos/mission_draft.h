@@ -8,7 +8,7 @@
 //   draft.Text();
 //
 // The reader of mission files judges every value: MakeLoadable() turns each setting that it refuses
-// into a comment with the reader's own reason, so that ranges and keys stand in one place.
+// into a comment with the reader's own reason, so that ranges and keys are in one place.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct DraftLine {
   std::string value;   ///< As TOML.
   std::string origin;  ///< "a.moos:12"; empty: of no line.
   std::string text;    ///< What stands there.
-  std::string reason;  ///< Of a comment: why it is no setting. Of a setting: a remark on it.
+  std::string reason;  ///< Of a comment: why it is not a setting. Of a setting: a remark on it.
   /// Without this setting the others of its table would mean something else: where it is refused,
   /// so are they.
   bool is_essential = false;
@@ -50,7 +50,7 @@ class MissionDraft {
 
   /// Adds the table `id` behind those that are there, under `header`, such as "[comms]". The header
   /// is written where the table has a setting, or where it `is_required`. A header that is a
-  /// comment stands above a table of comments.
+  /// comment is above a table of comments.
   void AddTable(std::string id, std::string header, bool is_required = false);
 
   /// Sets a key of a table. An earlier, different value becomes a comment; an equal one is named
@@ -78,7 +78,7 @@ class MissionDraft {
     bool is_required = false;
     std::vector<DraftLine> lines;
   };
-  /// What stands in a line of the text.
+  /// What is in a line of the text.
   struct Owner {
     std::optional<size_t> table;
     std::optional<size_t> line;  ///< Of the table; none: its header.

@@ -7,7 +7,7 @@
 //   }
 //
 // `//` begins a comment, anywhere in a line. nsplug's lines are resolved (nsplug.h). Nothing is an
-// error: what is none of these is listed with the reason.
+// error: what is not one of these is listed with the reason.
 #pragma once
 
 #include <string>

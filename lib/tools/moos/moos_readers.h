@@ -18,10 +18,10 @@ class MoosReaders {
   /// do not read them.
   MoosReaders(const std::vector<MoosFile>& files, FleetImport* fleet);
 
-  /// Returns false where nothing reads what is posted in a vehicle's file, or, where `vehicle` is
-  /// empty, in the shore's: the variable itself, and it without _ALL or a vehicle's name behind it.
-  /// `bridged`: what else it becomes; may be empty. Variables that apps of MOOS-IvP look at without
-  /// a line, NAV_X and the like, are read.
+  /// Returns false if no line reads the variable `posted` of the file of `vehicle`, or of the
+  /// shore's file if `vehicle` is empty. A line reads it by its name, or by its name without _ALL
+  /// or without a vehicle's name at its end. `bridged`: another name that it becomes; may be empty.
+  /// Variables that apps of MOOS-IvP look at without a line, NAV_X and the like, are read.
   bool MayRead(std::string_view vehicle, std::string_view posted, std::string_view bridged) const;
 
   /// Returns true where a line or behavior of any file names the variable.

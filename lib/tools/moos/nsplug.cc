@@ -363,7 +363,7 @@ class Plugger {
     if (branches_.empty()) return Add(origin, text, "is without #ifdef", true);
     Branch& branch = branches_.back();
     if (branch.is_else_seen) {
-      return Add(origin, text, "is without effect: an #else stands before it", true);
+      return Add(origin, text, "is without effect: an #else is before it", true);
     }
     if (!is_else && branch.is_ifndef) {
       Add(origin, text, "is refused by nsplug: #elseifdef goes with #ifdef, not with #ifndef",
@@ -388,7 +388,7 @@ class Plugger {
     std::string_view name = TakeWord(&rest);
     if (name.starts_with("$(") && name.ends_with(')')) name = name.substr(2, name.size() - 3);
     if (name.empty() || !std::all_of(name.begin(), name.end(), IsOfName)) {
-      return Add(origin, text, "is no #define NAME VALUE", true);
+      return Add(origin, text, "is not a #define NAME VALUE", true);
     }
     if (rest.size() > kLongestValue_bytes) {
       return Add(origin, text, "is longer than 4,096 bytes", true);
@@ -461,7 +461,7 @@ class Plugger {
           "--path",
           true);
     } else {
-      Add(origin, text, "is taken: its lines stand here", false);
+      Add(origin, text, "is taken: its lines are here", false);
     }
     const std::string kept(section);
     Run(*source, kept, {.origin = origin, .text = text});

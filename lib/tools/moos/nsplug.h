@@ -53,7 +53,7 @@ struct PluggedLine {
   int number = 0;            ///< Counts all lines that are read, those of included files too.
   std::string origin;        ///< "a.moos:12".
   std::string text;          ///< UTF-8.
-  std::string reason = {};   ///< Not empty: it is none of the file's own; why ("is ...").
+  std::string reason = {};   ///< Not empty: it is not one of the file's own; why ("is ...").
   bool is_loss = true;       ///< With a reason: something is lost.
   std::string unknown = {};  ///< The first macro that has no value, as it is written.
 };

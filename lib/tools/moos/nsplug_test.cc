@@ -81,7 +81,7 @@ std::optional<std::string> ReadCase(const std::filesystem::path& path) {
   return std::string(std::istreambuf_iterator<char>(in), {});
 }
 
-/// Returns the arguments as a script has them: what stands in quotes stays, $ is no variable.
+/// Returns the arguments as a script has them: what is in quotes stays, $ is not a variable.
 std::string AsShell(const std::string& arguments) {
   std::string text;
   bool is_quoted = false;
@@ -192,7 +192,7 @@ TEST(Plug, RefusesBranchesWithoutABeginningOrAnEnd) {
       Losses("#endif\n#else\n#ifdef A\n#else\n#else\n#ifdef\n"),
       (std::vector<std::string>{
           "a:1 is without #ifdef", "a:2 is without #ifdef",
-          "a:5 is without effect: an #else stands before it", "a:6 is without the name of a macro",
+          "a:5 is without effect: an #else is before it", "a:6 is without the name of a macro",
           "a:6 is not closed: write #endif", "a:3 is not closed: write #endif"}));
 }
 

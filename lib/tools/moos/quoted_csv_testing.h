@@ -1,4 +1,4 @@
-// Tables of tests/golden/moos_import, whose cells may stand in double quotes.
+// Tables of tests/golden/moos_import, whose cells may be in double quotes.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -23,7 +23,7 @@ struct ScriptLine {
   TimeRange time;
   int amount = 1;
   int first_index = 0;       ///< Of the first of `amount`, for $[IDX].
-  std::string problem = {};  ///< Why it is no event.
+  std::string problem = {};  ///< Why it is not an event.
   bool is_needless = false;
 };
 
@@ -39,7 +39,7 @@ struct MoosScript {
   int reset_line = 0;
   int pause_line = 0;  ///< Of paused = true; 0: it is not.
   std::string pause_variable = "UTS_PAUSE";
-  bool shuffles = true;  ///< Times are drawn anew in each round.
+  bool shuffles = true;  ///< Times are drawn again in each round.
 };
 
 /// Returns what a post of `value` to the variable `posted` is.

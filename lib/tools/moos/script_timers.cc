@@ -17,7 +17,7 @@ bool IsOrder(std::string_view name) {
   return name == "DEPLOY" || name == "RETURN" || name == "STATION_KEEP";
 }
 
-/// Returns the argument of `command = "set"` as it stands in TOML; empty: another event.
+/// Returns the argument of `command = "set"` as it is in TOML; empty: another event.
 std::string_view SettingOfEvent(const TimerEvent& event) {
   std::string_view argument;
   bool sets = false;

@@ -12,10 +12,10 @@
 
 namespace shoal {
 
-/// Makes behaviors of the events of a vehicle's own script where behaviors know the variables of
-/// its conditions and all of its events set variables. A script that is repeated begins again after
-/// its conditions have failed; it stays a list of events where it waits for an order alone, or
-/// gives a variable one value after the other.
+/// Turns the events of a vehicle's own script into behaviors, if all of its events set variables
+/// and behaviors know the variables of its conditions. A script that is repeated begins again after
+/// its conditions have failed. It stays a list of events if it only waits for an order, or gives a
+/// variable several values one after the other.
 void MakeScriptTimers(TimerScript* script, VehicleImport* vehicle);
 
 }  // namespace shoal

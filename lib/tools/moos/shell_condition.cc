@@ -53,7 +53,8 @@ bool HoldsInShell(const ShellCommand& command, ShellValues* values) {
   if (raw.front() != "[" && raw.front() != "[[" && raw.front() != "test") {
     return FirstShellWord(command.text) == "true";
   }
-  // Each of the words is one: `[ $X = a ]` of an empty X is an error of the shell, false here.
+  // Each word is one argument. With an empty X, `[ $X = a ]` is an error of the shell, and false
+  // here.
   ShellWords words;
   for (size_t i = 1; i < raw.size(); ++i) {
     if (raw[i] == "]" || raw[i] == "]]") break;

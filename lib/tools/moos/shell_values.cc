@@ -60,7 +60,7 @@ ShellWords ShellValues::Expand(std::string_view raw, int line) {
   return words;
 }
 
-/// Returns what stands in double quotes with its values.
+/// Returns what is in double quotes with its values.
 std::string ShellValues::Quoted(std::string_view text, int line) {
   std::string value;
   for (size_t i = 0; i < text.size();) {

@@ -27,7 +27,7 @@ class ShellValues {
   /// Returns the values of all.
   ShellWords ExpandAll(const ShellWords& raw, int line);
 
-  /// Sets variables; returns false where the word is no NAME=VALUE.
+  /// Sets variables; returns false where the word is not NAME=VALUE.
   bool Assign(const std::string& raw, int line);
   void Set(const std::string& name, std::string value) { variables_[name] = {std::move(value)}; }
   /// Scripts that this one calls have the variable too.

@@ -9,7 +9,7 @@
 
 namespace shoal {
 
-/// What a post does to the drift: sets it, or one of its parts, or counts on what it is.
+/// What a post does to the drift: sets it, sets one of its parts, or changes the present value.
 enum class DriftAction { kSet, kAdd, kScale, kSetX, kSetY };
 
 struct DriftChange {

@@ -38,8 +38,9 @@ std::string ReadStartPos(std::string_view text, std::map<std::string, double>* g
         is_named ? LowerCase(Trimmed(part.substr(0, equals))) : std::string(kStartOrder[place]);
     ++place;
     if (StartKey(name).empty() && name != "depth") {
-      return fmt::format("{} is none of x, y, heading, speed and depth: what follows is not read",
-                         Quoted(name));
+      return fmt::format(
+          "{} is not one of x, y, heading, speed and depth: what follows is not read",
+          Quoted(name));
     }
     const auto number = NumberIn(is_named ? part.substr(equals + 1) : part);
     if (!number && !Trimmed(text).empty()) problem = fmt::format("{} is taken as 0", Quoted(part));

@@ -23,9 +23,10 @@ constexpr size_t kFewestRuns = 32;
 constexpr size_t kMaxWaypoints = 500;
 /// A position this old has no neighbours any more.
 constexpr int64_t kStale_us = 2'000'000;
-/// More slowly than this over ground there is no course.
+/// A vehicle that moves more slowly than this over ground has no course.
 constexpr double kNoCourse_mps = 0.1;
-/// More slowly than this relative to the water it drifts: its heading is not that of its course.
+/// A vehicle that moves more slowly than this relative to the water drifts: its heading
+/// does not show its course.
 constexpr double kDrifts_mps = 0.3;
 constexpr double kDives_m = 0.1;
 

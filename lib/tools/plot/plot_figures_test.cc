@@ -81,7 +81,7 @@ TEST_F(Figures, MarkWhereVehiclesCollideAndRunAground) {
   Draw(events, setting);
   const Figure& tracks = Of("tracks");
   EXPECT_TRUE(Contains(tracks.data, "# collision\n18.5 0\n")) << tracks.data;
-  EXPECT_TRUE(Contains(tracks.data, "# aground\n40 0\n")) << "bravo is no vessel that can";
+  EXPECT_TRUE(Contains(tracks.data, "# aground\n40 0\n")) << "bravo is not a vessel that can";
   EXPECT_TRUE(Contains(tracks.script, "title 'collision'"));
   EXPECT_TRUE(Contains(tracks.script, "title 'aground'"));
   Draw(LogOfTwoVehicles(), setting);
@@ -222,7 +222,7 @@ TEST_F(Figures, ShowHowFarVehiclesAreFromWhereTheyBelieveToBe) {
   navigation.x_m = 3;
   navigation.y_m = 4;
   navigation.ellipse_major_m = 7;
-  // In a log of a mission it stands before NAV of the same time; in others it may come after.
+  // In a log of a mission it is before NAV of the same time; in others it may come after.
   Draw({EventOf("NAVIGATION_A", navigation), EventOf("NAV_A", PlottedNav(1'000'000, 0, 0)),
         EventOf("NAV_B", PlottedNav(1'000'000, 0, 0)), EventOf("NAVIGATION_B", navigation)},
        Berta());

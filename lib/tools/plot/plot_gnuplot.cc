@@ -23,7 +23,7 @@ Result<bool> RunGnuplot(const std::string& program, const std::string& folder,
   if (!messages.read.is_open()) {
     return Error{fmt::format("cannot run {}: {}", program, ErrnoText(errno))};
   }
-  // -d: not the settings that a user has for sessions of his own.
+  // -d: gnuplot does not read the settings of the user.
   const Result<StartedProgram> started = StartProgram(
       {.argv = {program, "-d", script}, .folder = folder, .errors = messages.write.get()});
   if (!started.ok()) return Error{fmt::format("cannot run {}: {}", program, started.error())};

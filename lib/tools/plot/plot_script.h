@@ -72,7 +72,7 @@ struct LegendEntry {
 /// Returns the legend as items of a plot command, each with a comma before it.
 [[nodiscard]] std::string LegendItems(const std::vector<LegendEntry>& legend);
 
-/// One of the plots over time that stand above one another.
+/// One of the plots over time that are above one another.
 struct Panel {
   std::string y_label;
   std::vector<std::string> items;     ///< Of its plot command.

@@ -73,7 +73,7 @@ std::string PlanColor(const std::string& color) { return "#70" + color.substr(1)
 /// Of drawings whose colour is not known.
 constexpr const char* kDrawingColor = "#b09000";
 
-/// Returns a text that can stand in quotes in a block of data.
+/// Returns a text that can be in quotes in a block of data.
 std::string TextInBlock(std::string_view text) {
   constexpr size_t kLongest = 40;
   std::string plain;

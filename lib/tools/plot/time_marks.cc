@@ -11,7 +11,7 @@ namespace {
 /// Each is a multiple of the one before.
 constexpr std::array<int64_t, 13> kMarkSteps_s = {1,    2,    10,   20,    60,    120,  600,
                                                   1200, 3600, 7200, 14400, 28800, 86400};
-/// Larger times of a log are no times of a mission.
+/// Larger times of a log are not times of a mission.
 constexpr double kLatestMark_s = 1e12;
 
 }  // namespace

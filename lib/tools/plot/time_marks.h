@@ -20,7 +20,7 @@ class TimeMarks {
   static constexpr size_t kMaxMarks = 15;
 
   /// Takes the next point of the track. The first point at or after a multiple of the step, by at
-  /// most one second, becomes a mark. The start of the track is no mark.
+  /// most one second, becomes a mark. The start of the track is not a mark.
   void Add(double time_s, CurvePoint at);
 
   /// Returns the present time between two marks.

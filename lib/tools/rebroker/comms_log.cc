@@ -225,7 +225,8 @@ LogTime CommsLogBuilder::KindOfTime() const {
     const auto utime = UtimeOf(item);
     if (!utime) continue;
     ++count.all;
-    // Reports of a mission are all as old as one another; a wall clock is never so exact.
+    // In a mission all reports have the same age when they are received. With wall clocks ages
+    // differ.
     const int64_t age_us = item.utime - *utime;
     if (!is_of_broker && !report_age_us && (age_us == 0 || IsPossibleTick(age_us))) {
       report_age_us = age_us;

@@ -24,7 +24,7 @@ namespace shoal {
 
 /// Where the times of a log come from.
 enum class LogTime {
-  kMission,  ///< shoal's own recording: events have mission time and stand in the fixed order.
+  kMission,  ///< shoal's own recording: events have mission time and are in the fixed order.
   kSeals,    ///< lcm-logger's, of a mission: steps and order are restored from the seals.
   kWall,     ///< lcm-logger's, of a live broker: messages are handled as they came.
 };

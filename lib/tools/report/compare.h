@@ -56,7 +56,7 @@ struct CampaignComparison {
 
 /// Compares the cases that `a` and `b` select: KEY=VALUE, several with commas between, where KEY is
 /// a key of the sweep or "policy". Cases pair where all keys that neither names are equal. The
-/// error is of a selection that is no KEY=VALUE, matches nothing, leaves several cases to a point,
+/// error is of a selection that is not KEY=VALUE, matches nothing, leaves several cases to a point,
 /// or is the other's.
 [[nodiscard]] Result<CampaignComparison> CompareCases(const CampaignResults& results,
                                                       std::string_view a, std::string_view b);

@@ -35,7 +35,7 @@ class ComparisonWriter {
   std::string Label(size_t point) const {
     std::string keys = KeysText(comparison_.points[point].rest);
     if (keys.size() <= kPointWidth) return keys;
-    // The full keys stand at the head.
+    // The full keys are at the head.
     return fmt::format("point {}", point + 1);
   }
 

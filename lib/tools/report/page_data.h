@@ -8,7 +8,7 @@
 
 namespace shoal {
 
-/// Returns JSON that may stand in a <script> of HTML: it has no '<' and only ASCII. What is no
+/// Returns JSON that may be in a <script> of HTML: it has no '<' and only ASCII. What is no
 /// number, or infinite, is null. Of each case the numbers of its table and their texts as the text
 /// report has them; of the trials a column for each value, with seven significant digits, in the
 /// order of CampaignResults::rows. web/campaign/report_data.js reads it.

@@ -11,7 +11,7 @@ namespace shoal {
 
 namespace {
 
-/// Returns how often `part` stands in `text`.
+/// Returns how often `part` is in `text`.
 int CountOf(std::string_view part, std::string_view text) {
   int count = 0;
   for (size_t at = text.find(part); at != text.npos; at = text.find(part, at + part.size())) {

@@ -218,7 +218,7 @@ class ReportDrawing {
     return lines;
   }
 
-  /// Without a sweep the policies stand side by side.
+  /// Without a sweep the policies are side by side.
   std::string ScaleSettings(size_t num_lines) const {
     if (has_sweep()) return SweepScale(results_).Settings();
     return fmt::format("set xrange [-0.5:{}]\nunset xtics\n",

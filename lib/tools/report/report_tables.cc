@@ -173,7 +173,8 @@ class CaseBuilder {
   CaseTable table_;
 };
 
-/// Returns the number of the metric that the rule is about; that of none where it is of passes.
+/// Returns the index of the metric that the rule is about; the number of metrics if the rule is
+/// about passes.
 size_t StopMetricOf(const CampaignResults& results, const StopRule& rule) {
   const auto found =
       std::find_if(results.metrics.begin(), results.metrics.end(),

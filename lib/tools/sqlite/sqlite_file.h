@@ -43,7 +43,8 @@ class SqliteFile {
 
   void Execute(const std::string& sql);
 
-  /// Puts the database in place of what bears its name. Returns what went wrong, empty: nothing.
+  /// Gives the database its name, in place of a file that has it. Returns what went wrong, or an
+  /// empty text.
   /// @pre no SqliteInsert of this file is left.
   [[nodiscard]] std::string Close();
 

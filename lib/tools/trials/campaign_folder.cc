@@ -92,7 +92,7 @@ std::string ReadFacts(const std::string& text, CampaignFolder* folder) {
   return {};
 }
 
-/// Returns why results of `plan` cannot stand beside those of `folder`; empty: they can.
+/// Returns why results of `plan` cannot be beside those of `folder`; empty: they can.
 std::string WhyNotTheSame(const CampaignFolder& folder, const Campaign& campaign,
                           const Plan& plan) {
   if (folder.plan.build != plan.build) {
@@ -169,7 +169,7 @@ Result<CampaignFolder> ReadCampaignFolder(const std::string& path) {
   const auto plain = PlainFolder::Open(path);
   if (!plain.ok() || !plain->Has(kFacts)) {
     return Error{
-        fmt::format("{}: is no campaign's folder: it holds no {}; `shoal campaign run FILE "
+        fmt::format("{}: is not a campaign's folder: it holds no {}; `shoal campaign run FILE "
                     "--out {}` makes one",
                     path, kFacts, path)};
   }

@@ -50,7 +50,7 @@ struct CampaignFolder {
 struct StoredTrials {
   /// By case, in the plan's order, and repetition.
   std::vector<std::map<int64_t, FinishedTrial>> by_case;
-  int64_t num_torn = 0;     ///< Lines that are no trials: their writer was killed.
+  int64_t num_torn = 0;     ///< Lines that are not trials: their writer was killed.
   int64_t num_foreign = 0;  ///< Trials of cases that the plan has not.
   /// Trials of which two lines differ: shoal promises that there are none.
   std::vector<TrialKey> differing;

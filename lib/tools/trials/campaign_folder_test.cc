@@ -285,7 +285,7 @@ TEST_F(CampaignFolderTest, NamesShardsOfAnotherArithmetic) {
     return results.ok() ? "" : results.error();
   };
   EXPECT_EQ(reduced_with(ArithmeticId()), "");
-  EXPECT_NE(reduced_with("0123").find("stand in shards/2-of-3.jsonl (0123): results of two"),
+  EXPECT_NE(reduced_with("0123").find("are in shards/2-of-3.jsonl (0123): results of two"),
             std::string::npos)
       << reduced_with("0123");
 }

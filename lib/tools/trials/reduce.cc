@@ -99,7 +99,7 @@ Result<CampaignResults> ReadResults(const CampaignFolder& folder) {
                             TerminalLine(arithmetic, 16));
     }
     return Error{fmt::format(
-        "{}: the campaign's arithmetic is {}; trials of another one stand in {}: results of two "
+        "{}: the campaign's arithmetic is {}; trials of another one are in {}: results of two "
         "are not mixed; take these files away and run the campaign again",
         folder.path, TerminalLine(folder.plan.arithmetic, 16), shards)};
   }

@@ -150,7 +150,7 @@ void WorkerPool::Start(const TrialJob& job) {
 void WorkerPool::Send(Worker* worker) {
   worker->is_busy = true;
   worker->begin_us = MonotonicMicroseconds();
-  // Of a worker that died meanwhile the pipe is broken: Wait() notices.
+  // If the worker has died, its pipe is broken, and Wait() notices that.
   static_cast<void>(WriteAll(worker->jobs.get(),
                              {reinterpret_cast<const char*>(&worker->job), sizeof worker->job}));
 }
@@ -191,7 +191,7 @@ std::string WorkerPool::LastOutput(const Worker& worker) const {
   return text;
 }
 
-void WorkerPool::Bury(Worker* worker, std::vector<FinishedJob>* finished) {
+void WorkerPool::Remove(Worker* worker, std::vector<FinishedJob>* finished) {
   int status = 0;
   waitpid(worker->pid, &status, 0);
   worker->pid = -1;
@@ -246,7 +246,7 @@ std::vector<FinishedJob> WorkerPool::Wait(int timeout_ms) {
   if (poll(polled.data(), polled.size(), timeout_ms) > 0) {
     for (size_t i = 0; i < polled.size(); ++i) {
       if (polled[i].revents == 0) continue;
-      if (!Receive(&workers_[i], &finished)) Bury(&workers_[i], &finished);
+      if (!Receive(&workers_[i], &finished)) Remove(&workers_[i], &finished);
     }
   }
   const int64_t now_us = MonotonicMicroseconds();

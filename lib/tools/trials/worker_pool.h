@@ -94,7 +94,7 @@ class WorkerPool {
   [[noreturn]] void Work(Worker* worker);
   void Send(Worker* worker);
   bool Receive(Worker* worker, std::vector<FinishedJob>* finished);
-  void Bury(Worker* worker, std::vector<FinishedJob>* finished);
+  void Remove(Worker* worker, std::vector<FinishedJob>* finished);
   void StopRunaway(Worker* worker, int64_t now_us, std::vector<FinishedJob>* finished);
   std::string LastOutput(const Worker& worker) const;
   void Conclude(Worker* worker, TrialResult result, std::vector<FinishedJob>* finished);

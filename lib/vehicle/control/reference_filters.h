@@ -1,4 +1,4 @@
-// What stands between a guidance law and an autopilot: commands made smooth and safe.
+// What is between a guidance law and an autopilot: commands made smooth and safe.
 //
 //   DepthFilter depth{.z_d_m = z};
 //   double z_d = depth.Update({}, LimitDepth(z_wpt, limits, seabed_z), dt_s);

@@ -23,7 +23,7 @@ struct AlosParams {
   double crab_gain = 0.005;  ///< gamma, rad/(m s); 0: plain line of sight.
 };
 
-/// The law as it stands above, one step of forward Euler: no bound on beta_hat.
+/// The law as it is above, one step of forward Euler: no bound on beta_hat.
 struct AlosStep {
   double heading_rad = 0;  ///< psi_d, in (-pi, pi], by the beta_hat before the step.
   double crab_rad = 0;     ///< beta_hat after the step.

@@ -15,7 +15,7 @@ constexpr double kNever_s = std::numeric_limits<double>::infinity();
 // Returns when x = v t + a t^2 / 2 first gets to `distance_m` > 0.
 double ArrivalTime_s(double distance_m, double v_mps, double a_mps2) {
   if (v_mps <= 0 && a_mps2 <= 0) return kNever_s;
-  // `a` is never so negative that v^2 + 2 a d lies below zero by more than rounding.
+  // v^2 + 2 a d is below zero by rounding only: `a` is not more negative than that.
   const double v_at_point_mps = std::sqrt(std::max(0.0, v_mps * v_mps + 2 * a_mps2 * distance_m));
   if (v_mps < 0) return (v_at_point_mps - v_mps) / a_mps2;
   const double sum_mps = v_mps + v_at_point_mps;

@@ -56,8 +56,8 @@ class PathFollower {
   /// @pre params.path has a waypoint; everything finite
   PathFollower(PathFollowParams params, const Eigen::Vector3d& position_m);
 
-  /// Returns the guidance at `position_m`, `dt_s` after the last call. A waypoint that counts as
-  /// reached here is left behind from the next call on.
+  /// Returns the guidance at `position_m`, `dt_s` after the last call. If this call counts a
+  /// waypoint as reached, the next call leads to the waypoint after it.
   /// @pre position_m finite, dt_s >= 0 and finite
   PathGuidance Update(const Eigen::Vector3d& position_m, double dt_s);
 

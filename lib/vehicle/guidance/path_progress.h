@@ -31,7 +31,7 @@ struct WaypointSwitch {
   SwitchRule rule = SwitchRule::kCircleOrPassedLine;
   double acceptance_radius_m = 10;  ///< R; >= 0.
   /// Past the line counts only this near to the leg; >= 0. More than the 45 m in which a Remus 100
-  /// turns round at 2 m/s, so that a wide turn is no missed waypoint. Not with kAlongTrack.
+  /// turns round at 2 m/s, so that a wide turn is not a missed waypoint. Not with kAlongTrack.
   double passed_line_within_m = 50;
   bool is_within_leg = false;  ///< R is at most half of the leg, for curves. Not with kCircle.
 

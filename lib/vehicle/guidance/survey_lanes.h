@@ -67,9 +67,10 @@ struct SurveyRoute {
   bool operator==(const SurveyRoute&) const = default;
 };
 
-/// Returns why `polygon_m` is none: it has fewer than three corners, two of them in one place,
-/// edges that meet elsewhere than at their ends, or no area. Empty: it is simple. It may be
-/// concave, and its corners may be listed in either sense.
+/// Returns why `polygon_m` is not a simple polygon, or an empty text if it is: it has fewer than
+/// three corners, two of them in one place, edges that meet elsewhere than at their ends, or no
+/// area. A simple polygon may be concave, and its corners may be listed clockwise or
+/// counterclockwise.
 [[nodiscard]] std::string PolygonProblem(std::span<const Eigen::Vector2d> polygon_m);
 
 /// Returns the area that a simple polygon encloses.

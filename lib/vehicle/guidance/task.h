@@ -204,8 +204,8 @@ struct TargetTrackTask {
   double smoothing_mps = 1;
   TargetEndRule on_target_end = TargetEndRule::kSurface;
   double hold_radius_m = 45;  ///< Where it keeps station: comes back from beyond; > 0.
-  /// Steers so that the velocity that the law wants comes about over ground. False: as if there
-  /// were no current, MuNet's.
+  /// Steers so that the velocity over ground is what the law wants. False: ignores the current, as
+  /// MuNet does.
   bool compensate_current = true;
   /// Asks the propeller for the part of the wanted velocity along the bow: less in a turn, nothing
   /// where it would have to go astern. False: for all of it, wherever the bow points, MuNet's.
@@ -262,8 +262,8 @@ struct TaskFacts {
   TaskOutline outline = {};
 };
 
-/// Returns the task that keeps station where a vehicle that turns in a circle has come to rest, at
-/// `z_m`. It comes back from beyond `radius_m`, > 0.
+/// Returns the task that keeps station at the place where the vehicle stops, at the depth `z_m`.
+/// The vehicle comes back when it is farther away than `radius_m`, > 0, within which it can circle.
 [[nodiscard]] StationKeepTask HoldHere(double radius_m, std::optional<double> z_m);
 
 /// Returns the mission file's word for the kind of the task: its kKind.

@@ -25,7 +25,7 @@
 
 namespace shoal {
 
-/// Where each error stands in the state.
+/// Where each error is in the state.
 enum NavigationState {
   kStateX,          ///< m, East.
   kStateY,          ///< m, North.

@@ -1,4 +1,4 @@
-// The sway of a turning Remus 100, as a filter foretells it from the gyro alone.
+// The sway of a turning Remus 100, as a filter predicts it from the gyro alone.
 #include "lib/vehicle/vehicle/sway_in_turns.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace shoal::sway_in_turns_test {
 
 /// Turns one way and the other for two minutes. Returns the largest sway, and the largest that is
-/// not foretold.
+/// not predicted.
 std::pair<double, double> MostSway(const Remus100& auv, double speed_mps) {
   const SwayInTurns hull = SwayInTurnsOf(auv);
   const double rpm = RpmForSpeed(auv, speed_mps);
@@ -21,14 +21,14 @@ std::pair<double, double> MostSway(const Remus100& auv, double speed_mps) {
   state.eta[2] = 20;
   state.nu[0] = speed_mps;
   state.actuators.propeller_rpm = rpm;
-  double foretold_mps = 0;
+  double predicted_mps = 0;
   std::pair<double, double> most{0, 0};
   for (int i = 0; i < 1200; ++i) {
     const double rudder_rad = (i / 300 % 2 == 0 ? 0.8 : -0.4) * auv.params.max_fin_rad;
     state = Step(auv, state, {.rudder_rad = rudder_rad, .propeller_rpm = rpm}, {}, 0.1);
-    foretold_mps = NextSway(hull, foretold_mps, state.nu[0], state.nu[5], 0.1);
+    predicted_mps = NextSway(hull, predicted_mps, state.nu[0], state.nu[5], 0.1);
     most.first = std::max(most.first, std::abs(state.nu[1]));
-    most.second = std::max(most.second, std::abs(state.nu[1] - foretold_mps));
+    most.second = std::max(most.second, std::abs(state.nu[1] - predicted_mps));
   }
   return most;
 }

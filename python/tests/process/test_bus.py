@@ -108,7 +108,7 @@ def test_what_liblcm_plays_back_is_received(bus: shoal.Bus, tmp_path: Path) -> N
     ("url", "error"),
     [
         ("tcpq://127.0.0.1:7700", "only udpm is supported"),
-        ("udpm://127.0.0.1:7700", "127.0.0.1 is no multicast address"),
+        ("udpm://127.0.0.1:7700", "127.0.0.1 is not a multicast address"),
         ("udpm://239.255.76.67:7700?ttl=x", "ttl is a number"),
         ("udpm://239.255.76.67:77000", "Port out of range"),
     ],

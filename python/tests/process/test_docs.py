@@ -88,7 +88,8 @@ def test_missions_in_the_process_run_as_the_page_states(
     (tmp_path / "mission.toml").write_text(
         '[mission]\nduration_s = 10\n[[vehicle]]\nname = "alpha"\nhelm = "none"\n'
     )
-    simulation, environment, parallel, vector = (each for each in _examples() if _is_simulated(each))
+    in_process = (each for each in _examples() if _is_simulated(each))
+    simulation, environment, parallel, vector = in_process
     names: dict[str, object] = {"shoal": shoal}
     exec(simulation, names)
     shown = capsys.readouterr().out.splitlines()
