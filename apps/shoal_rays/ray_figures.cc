@@ -14,7 +14,7 @@ namespace shoal {
 namespace {
 
 constexpr int kFanRays = 41;
-constexpr size_t kMaxEigenrays = 12;
+constexpr size_t kMaxEigenrays = 8;
 constexpr int kLossRanges = 240;
 constexpr double kFanBeyond = 1.05;
 /// Weaker arrivals are left out of the impulse response.
@@ -46,6 +46,7 @@ Figure DrawImpulse(const RayLink& link, bool png) {
   const double first_s = link.arrivals.front().delay_s;
   PlotBlocks blocks;
   Panel panel = {.y_label = "level relative to 1 m [dB]", .items = {}, .settings = {}};
+  std::vector<LegendEntry> legend;
   double last_ms = 1;
   for (const bool has_bounced : {false, true}) {
     std::vector<Stroke> strokes;
@@ -58,16 +59,15 @@ Figure DrawImpulse(const RayLink& link, bool png) {
       strokes.push_back({{late_ms, floor_db}, {late_ms, level_db}});
     }
     if (strokes.empty()) continue;
-    panel.items.push_back(Line("impulse", blocks.Add(has_bounced ? "bounced" : "direct", strokes),
-                               has_bounced ? "lines lc rgb '#0072b2' lw 2"
-                                           : "lines lc rgb '#d55e00' lw 3"));
+    const std::string style =
+        has_bounced ? "lines lc rgb '#0072b2' lw 2" : "lines lc rgb '#d55e00' lw 3";
+    legend.push_back({has_bounced ? "with bounces" : "without a bounce", style});
+    panel.items.push_back(
+        Line("impulse", blocks.Add(has_bounced ? "bounced" : "direct", strokes), style));
   }
   return OnePlot("impulse", link.title,
                  fmt::format("time after the first arrival, {:.6f} s [ms]", first_s), -0.02 * last_ms,
-                 1.05 * last_ms, std::move(panel), blocks,
-                 {{"without a bounce", "lines lc rgb '#d55e00' lw 3"},
-                  {"with bounces", "lines lc rgb '#0072b2' lw 2"}},
-                 png);
+                 1.05 * last_ms, std::move(panel), blocks, legend, png);
 }
 
 Stroke PathOf(const RayTracer& tracer, const RayLink& link, double range_m, double launch_rad) {
@@ -99,7 +99,16 @@ Figure DrawFan(const RayLink& link, bool png) {
   }
   widest_rad = std::min({widest_rad, 0.35, link.limits.max_launch_rad});
   PlotBlocks blocks;
-  Panel panel = {.y_label = "depth [m]", .items = {}, .settings = {"set yrange [*:*] reverse"}};
+  const auto depth_less = [](const BoundaryPoint& a, const BoundaryPoint& b) {
+    return a.depth_m < b.depth_m;
+  };
+  const double top_m = std::ranges::min_element(link.scene.surface, depth_less)->depth_m;
+  const double base_m = std::ranges::max_element(link.scene.bottom, depth_less)->depth_m;
+  const double margin_m = 0.02 * (base_m - top_m);
+  Panel panel = {.y_label = "depth [m]",
+                 .items = {},
+                 .settings = {fmt::format("set yrange [{:.9g}:{:.9g}]", base_m + margin_m,
+                                          top_m - margin_m)}};
   std::vector<Stroke> fan;
   for (int i = 0; i < kFanRays; ++i) {
     fan.push_back(PathOf(tracer, link, range_m, widest_rad * (2.0 * i / (kFanRays - 1) - 1)));

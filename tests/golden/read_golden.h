@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -17,6 +18,15 @@ namespace shoal {
 /// Returns the path of a file of tests/golden, "munet/flip_bits.csv".
 inline std::string GoldenPath(const std::string& name) {
   return std::string(SHOAL_SOURCE_DIR) + "/tests/golden/" + name;
+}
+
+/// Returns the text of a file, or nothing where there is none.
+inline std::optional<std::string> ReadGoldenText(const std::string& name) {
+  std::ifstream in(GoldenPath(name));
+  if (!in) return std::nullopt;
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
 }
 
 inline nlohmann::json ReadGoldenJson(const std::string& name) {

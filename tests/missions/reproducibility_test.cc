@@ -70,6 +70,12 @@ TEST(Reproducibility, HoldsForAcousticPackets) {
   EXPECT_TRUE(SimLog(folder, shared) == SimLog(folder, shared));
 }
 
+TEST(Reproducibility, HoldsWhereSoundBends) {
+  const TestFolder folder;
+  const std::string mission = MissionFile("summer_shadow.toml");
+  EXPECT_TRUE(SimLog(folder, mission) == RunLog(folder, mission));
+}
+
 TEST(Reproducibility, HoldsForSonarsNoiseAndPlumes) {
   const TestFolder folder;
   const std::string mission = MissionFile("sonar.toml");

@@ -174,7 +174,19 @@ Result<BellhopCase> ReadBellhopFile(const std::string& path) {
 Result<SoundProfile> ReadProfileFile(const std::string& path) {
   if (HasEnding(path, ".nc")) return ReadNetcdfCast(path);
   if (HasEnding(path, ".env")) {
-    const Result<BellhopCase> bay = ReadBellhopFile(path);
+    const FileText text = ReadRegularFile(path);
+    if (!text.problem.empty()) return CannotRead(path, text.problem);
+    bool needs_others = false;
+    const Result<BellhopCase> bay =
+        ReadBellhopCase(path, text.text, [&](std::string_view /*ending*/) {
+          needs_others = true;
+          return std::optional<std::string>();
+        });
+    if (needs_others) {
+      return Error{path + ": only the profile is taken, and this .env needs files beside it; give "
+                          "surface and bottom the kinds V, R or A without ~, or write the profile "
+                          "as a .csv"};
+    }
     if (!bay.ok()) return Error{bay.error()};
     if (bay->scene.water.size() == 1) return bay->scene.water.front().profile;
     return Error{path + ": has profiles at several ranges, and a mission has one; name a .env with "

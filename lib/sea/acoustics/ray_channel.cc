@@ -34,7 +34,7 @@ constexpr int kMaxBounces = 100;
 constexpr size_t kMaxLinks = 100'000;
 /// The floor is looked at in this many places along a link at most, and no nearer than the step.
 constexpr int kMaxFloorPoints = 48;
-constexpr double kFloorStep_m = 10;
+constexpr double kFloorStep_m = 25;
 
 int32_t CellOf(double place_m, double cell_m) {
   constexpr double kMost = 2e9;

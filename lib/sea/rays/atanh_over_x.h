@@ -8,10 +8,9 @@ namespace shoal {
 /// Returns atanh(x) / x. @pre |x| < 1
 [[nodiscard]] inline double AtanhOverX(double x) {
   const double square = x * x;
-  if (square < 2.5e-3) {
-    double sum = 1.0 / 13;
-    for (const double divisor : {11.0, 9.0, 7.0, 5.0, 3.0, 1.0}) sum = 1 / divisor + square * sum;
-    return sum;
+  if (square < 1e-3) {
+    constexpr double k3 = 1.0 / 3, k5 = 1.0 / 5, k7 = 1.0 / 7, k9 = 1.0 / 9, k11 = 1.0 / 11;
+    return 1 + square * (k3 + square * (k5 + square * (k7 + square * (k9 + square * k11))));
   }
   return Log1p(2 * x / (1 - x)) / (2 * x);
 }

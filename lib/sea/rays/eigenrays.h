@@ -11,7 +11,7 @@
 // profile and boundary piece, and the launch fan is refined where histories change.
 //
 // What is not in it: sound in shadow zones and beyond caustics (diffraction); the level within some
-// wavelengths of a caustic, where geometry has infinity (RayArrival::spread_m tells how near);
+// wavelengths of a caustic, where geometry has infinity (RayArrival::spread_m shows how near);
 // displacement of beams at the bottom; shear waves; horizontal refraction; rays that turn back in
 // range; launch angles beyond RayLimits::max_launch_rad.
 #pragma once

@@ -3,10 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <numbers>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -47,18 +45,10 @@ inline RayLimits Fan(double max_launch_deg) {
   return limits;
 }
 
-inline std::optional<std::string> TextOf(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) return std::nullopt;
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 /// A case of tests/golden/rays.
 inline BellhopCase GoldenCase(const std::string& name) {
   const auto companion = [&](std::string_view ending) {
-    return TextOf(GoldenPath("rays/" + name + std::string(ending)));
+    return ReadGoldenText("rays/" + name + std::string(ending));
   };
   Result<BellhopCase> golden =
       ReadBellhopCase(name + ".env", companion(".env").value_or(""), companion);

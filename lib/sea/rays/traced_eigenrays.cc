@@ -13,12 +13,12 @@ namespace {
 
 /// Of the launch fan before it is refined. Two rays of one history that are as near have at most
 /// one fold of the family between them.
-constexpr double kFanStep_rad = 0.006;
+constexpr double kFanStep_rad = 0.02;
 /// Histories that are narrower than this are not looked for.
 constexpr double kNarrowest_rad = 1e-9;
 /// In an interval no wider than this the depth changes by at most kSlopeMargin times the slope at
 /// either end.
-constexpr double kSmooth_rad = 1e-3;
+constexpr double kSmooth_rad = 2e-3;
 constexpr double kSlopeMargin = 5;
 constexpr double kKinkMargin = 40;
 constexpr int kMaxSolverSteps = 60;

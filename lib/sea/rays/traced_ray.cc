@@ -69,6 +69,24 @@ RayState RateOf(const RayState& ray, const SpeedCell& cell) {
           -square * gradient_slope + 2 * square * inverse * c_slope * gradient, inverse};
 }
 
+struct SincAndCosine {
+  double sinc = 1;
+  double cosine = 1;
+};
+
+/// Returns sin(x) / x and cos(x).
+SincAndCosine SincAndCos(double x) {
+  const double square = x * x;
+  if (square < 4e-4) {
+    constexpr double k3 = 1.0 / 6, k5 = 1.0 / 120, k7 = 1.0 / 5040;
+    constexpr double k2 = 1.0 / 2, k4 = 1.0 / 24, k6 = 1.0 / 720, k8 = 1.0 / 40320;
+    return {1 - square * (k3 - square * (k5 - square * k7)),
+            1 - square * (k2 - square * (k4 - square * (k6 - square * k8)))};
+  }
+  const auto [sine, cosine] = SinCos(x);
+  return {sine / x, cosine};
+}
+
 /// A step in water whose speed changes with depth alone: an arc of a circle, in closed form. With the
 /// angle of the ray th = th0 - g xi s, chords are s sinc(turn / 2), the time is
 /// (atanh(sin th0) - atanh(sin th1)) / g, and what the launch angle changes is integrated along the
@@ -80,9 +98,8 @@ RayState ArcOf(const RayState& ray, const SpeedCell& cell, double step_m) {
   const double cos0 = xi * c;
   const double sin0 = ray.slowness.y() * c;
   const double half_turn = g * xi * step_m / 2;
-  const auto [sin_half, cos_half] = SinCos(half_turn);
-  const double sinc = std::abs(half_turn) < 1e-4 ? 1 - half_turn * half_turn / 6
-                                                 : sin_half / half_turn;
+  const auto [sinc, cos_half] = SincAndCos(half_turn);
+  const double sin_half = sinc * half_turn;
   const double cos_middle = cos0 * cos_half + sin0 * sin_half;
   const double sin_middle = sin0 * cos_half - cos0 * sin_half;
   const double cos1 = cos_middle * cos_half + sin_middle * sin_half;
@@ -324,12 +341,31 @@ class RayMarch {
     return state;
   }
 
+  /// Returns about where the ray meets the edge, by the parabola through the step's ends and its
+  /// slope at the beginning.
+  double GuessOf(const Edge& edge, double far_m, const RayState& far) const {
+    const double near_distance_m = edge.DistanceOf(ray_.at);
+    const double far_distance_m = edge.DistanceOf(far.at);
+    const double slope = edge.normal.dot(ray_.slowness) * cell_.At(ray_.at);
+    const double bend =
+        (far_distance_m - near_distance_m - slope * far_m) / (far_m * far_m);
+    const double root = slope * slope - 4 * bend * near_distance_m;
+    if (!(root >= 0)) return far_m;
+    const double part = -slope + std::copysign(std::sqrt(root), -slope);
+    // Of two places the first, unless the ray leaves the edge and comes back to it.
+    const double first_m = part != 0 ? 2 * near_distance_m / part : 0;
+    const double other_m = bend != 0 ? part / (2 * bend) : 0;
+    if (first_m > kOnEdge_m && first_m < far_m) return first_m;
+    return other_m > kOnEdge_m && other_m < far_m ? other_m : far_m;
+  }
+
   /// Returns the length of the step that ends on the edge, and where it ends. @pre `state`, after
   /// `far_m`, is beyond the edge
   double Solve(const Edge& edge, double far_m, RayState* state) const {
     double low_m = 0;
     double high_m = far_m;
-    double at_m = far_m;
+    double at_m = GuessOf(edge, far_m, *state);
+    if (at_m != far_m) *state = StepOf(ray_, cell_, at_m);
     for (int i = 0; i < kMaxSolves; ++i) {
       const double distance_m = edge.DistanceOf(state->at);
       if (std::abs(distance_m) < 1e-12) break;
