@@ -5,7 +5,7 @@
 //   ... memory 3600 30        an hour of berta, 30 times as fast
 //
 // Each line names the load average, since other programs take from what is measured.
-import { readFileSync } from 'node:fs';
+import { readFileSync, writeFileSync } from 'node:fs';
 import { loadavg } from 'node:os';
 import { join } from 'node:path';
 import { Stage, root, until } from './e2e/support.mjs';
@@ -14,14 +14,16 @@ const [what, ...numbers] = process.argv.slice(2);
 const load = () => loadavg().map((each) => each.toFixed(1)).join(' ');
 const stage = new Stage();
 
-/** A playback of a mission of `args`, and its page. */
-async function playback(mission, warp, ...args) {
+/** A playback of a mission, its text changed by `change`, `speed` times as fast; and its page. */
+async function playback(mission, speed, change) {
+  const file = join(stage.folder, 'mission.toml');
   const log = join(stage.folder, 'mission.lcm');
-  const sim = stage.start('shoal', 'sim', mission, '--quiet', '--log', log, ...args);
+  writeFileSync(file, change(readFileSync(mission, 'utf8')));
+  const sim = stage.start('shoal', 'sim', file, '--quiet', '--log', log);
   if (await sim.over > 1) throw new Error(sim.output);
-  stage.start('shoal', 'play', log, '--mission', mission, '--warp', String(warp));
-  const viewer = await stage.view('--http', '0');
-  return { viewer, page: await stage.page(viewer.url) };
+  const play = stage.start('shoal', 'play', log, '--speed', String(speed), '--quiet', '--port', '28930');
+  const viewer = await stage.view('--http', '0', '--port', '28930');
+  return { viewer, play, page: await stage.page(viewer.url) };
 }
 
 /** Frames that the browser has drawn per second, over `seconds`. */
@@ -39,8 +41,8 @@ const framesOver = (page, seconds) => page.evaluate((span_ms) => new Promise((do
 
 async function frames(count) {
   const mission = `${root}/tests/bench/${count > 100 ? 'fleet1000' : 'fleet50'}.toml`;
-  const { page } = await playback(mission, 1, '--set', `fleet.1.count=${count}`,
-    '--set', 'mission.duration_s=60');
+  const { page } = await playback(mission, 1, (text) => text.replace(/^count = .*$/m, `count = ${count}`)
+    .replace(/^duration_s = .*$/m, 'duration_s = 90').replace(/\[\[expect\]\][^]*/, ''));
   await until('vehicles on the page', () => page.evaluate((wanted) =>
     globalThis.shoalViewer?.world?.at(performance.now()).vehicles.length === wanted, count), 300_000);
   await page.waitForTimeout(10_000); // Trails grow.
@@ -50,9 +52,9 @@ async function frames(count) {
   }
 }
 
-async function memory(duration_s, warp) {
-  const { page, viewer } = await playback(`${root}/missions/berta.toml`, warp,
-    '--set', `mission.duration_s=${duration_s}`);
+async function memory(duration_s, speed) {
+  const { page, viewer } = await playback(`${root}/missions/berta.toml`, speed, (text) =>
+    text.replace(/^duration_s = .*$/m, `duration_s = ${duration_s}`));
   const session = await page.context().newCDPSession(page);
   const heap = async () => {
     await session.send('HeapProfiler.collectGarbage');
