@@ -30,10 +30,10 @@ std::string Line(const std::string& data, int block, const std::string& style) {
 Figure OnePlot(const std::string& name, const std::string& title, const std::string& x_label,
                double first, double last, Panel panel, const PlotBlocks& blocks,
                const std::vector<LegendEntry>& legend, bool png) {
-  return {.name = name,
-          .data = blocks.text(),
-          .script = StackedScript(name, title, x_label, first, last,
-                                  {std::move(panel)}, legend, png)};
+  return {
+      .name = name,
+      .data = blocks.text(),
+      .script = StackedScript(name, title, x_label, first, last, {std::move(panel)}, legend, png)};
 }
 
 Figure DrawImpulse(const RayLink& link, bool png) {
@@ -66,14 +66,13 @@ Figure DrawImpulse(const RayLink& link, bool png) {
         Line("impulse", blocks.Add(has_bounced ? "bounced" : "direct", strokes), style));
   }
   return OnePlot("impulse", link.title,
-                 fmt::format("time after the first arrival, {:.6f} s [ms]", first_s), -0.02 * last_ms,
-                 1.05 * last_ms, std::move(panel), blocks, legend, png);
+                 fmt::format("time after the first arrival, {:.6f} s [ms]", first_s),
+                 -0.02 * last_ms, 1.05 * last_ms, std::move(panel), blocks, legend, png);
 }
 
 Stroke PathOf(const RayTracer& tracer, const RayLink& link, double range_m, double launch_rad) {
   std::vector<Eigen::Vector2d> path;
-  static_cast<void>(
-      tracer.Trace({0, link.source_m}, range_m, launch_rad, link.limits, &path));
+  static_cast<void>(tracer.Trace({0, link.source_m}, range_m, launch_rad, link.limits, &path));
   Stroke stroke;
   for (const Eigen::Vector2d& at : path) stroke.push_back({at.x(), at.y()});
   return stroke;
@@ -105,20 +104,19 @@ Figure DrawFan(const RayLink& link, bool png) {
   const double top_m = std::ranges::min_element(link.scene.surface, depth_less)->depth_m;
   const double base_m = std::ranges::max_element(link.scene.bottom, depth_less)->depth_m;
   const double margin_m = 0.02 * (base_m - top_m);
-  Panel panel = {.y_label = "depth [m]",
-                 .items = {},
-                 .settings = {fmt::format("set yrange [{:.9g}:{:.9g}]", base_m + margin_m,
-                                          top_m - margin_m)}};
+  Panel panel = {
+      .y_label = "depth [m]",
+      .items = {},
+      .settings = {fmt::format("set yrange [{:.9g}:{:.9g}]", base_m + margin_m, top_m - margin_m)}};
   std::vector<Stroke> fan;
   for (int i = 0; i < kFanRays; ++i) {
     fan.push_back(PathOf(tracer, link, range_m, widest_rad * (2.0 * i / (kFanRays - 1) - 1)));
   }
   panel.items.push_back(Line("fan", blocks.Add("fan", fan), "lines lc rgb '#b0b0b0' lw 0.8"));
-  panel.items.push_back(
-      Line("fan",
-           blocks.Add("boundaries", {ShapeOf(link.scene.surface, range_m),
-                                     ShapeOf(link.scene.bottom, range_m)}),
-           "lines lc rgb '#404040' lw 2"));
+  panel.items.push_back(Line("fan",
+                             blocks.Add("boundaries", {ShapeOf(link.scene.surface, range_m),
+                                                       ShapeOf(link.scene.bottom, range_m)}),
+                             "lines lc rgb '#404040' lw 2"));
   std::vector<RayArrival> strongest = link.arrivals;
   std::ranges::sort(strongest, [](const RayArrival& a, const RayArrival& b) {
     return a.amplitude > b.amplitude;
@@ -132,10 +130,9 @@ Figure DrawFan(const RayLink& link, bool png) {
     panel.items.push_back(
         Line("fan", blocks.Add("eigenrays", eigenrays), "lines lc rgb '#0072b2' lw 1.6"));
   }
-  panel.items.push_back(Line(
-      "fan",
-      blocks.Add("ends", {{{0, link.source_m}}, {{link.range_m, link.receiver_m}}}),
-      "points pt 7 ps 1 lc rgb '#d55e00'"));
+  panel.items.push_back(
+      Line("fan", blocks.Add("ends", {{{0, link.source_m}}, {{link.range_m, link.receiver_m}}}),
+           "points pt 7 ps 1 lc rgb '#d55e00'"));
   return OnePlot("fan", link.title, "range [m]", 0, range_m, std::move(panel), blocks,
                  {{"rays of the fan", "lines lc rgb '#b0b0b0' lw 0.8"},
                   {"the strongest arrivals", "lines lc rgb '#0072b2' lw 1.6"}},
@@ -165,12 +162,10 @@ Figure DrawLoss(const RayLink& link, bool png) {
   }
   if (!by_rays.empty()) parts.push_back(by_rays);
   PlotBlocks blocks;
-  Panel panel = {.y_label = "transmission loss [dB]",
-                 .items = {},
-                 .settings = {"set yrange [*:*] reverse"}};
+  Panel panel = {
+      .y_label = "transmission loss [dB]", .items = {}, .settings = {"set yrange [*:*] reverse"}};
   if (!parts.empty()) {
-    panel.items.push_back(
-        Line("loss", blocks.Add("rays", parts), "lines lc rgb '#0072b2' lw 1.6"));
+    panel.items.push_back(Line("loss", blocks.Add("rays", parts), "lines lc rgb '#0072b2' lw 1.6"));
   }
   panel.items.push_back(
       Line("loss", blocks.Add("straight", {straight}), "lines lc rgb '#707070' dt (6,5) lw 1.2"));

@@ -81,9 +81,10 @@ class RaysCommand {
       }
       const std::optional<Eigen::Vector3d> place = PlaceIn(*text);
       if (!place) {
-        return Fail(fmt::format("{} {}: three numbers with commas are needed, x,y,z in metres, "
-                                "East, North, down, as in {} 0,0,30",
-                                option, *text, option));
+        return Fail(
+            fmt::format("{} {}: three numbers with commas are needed, x,y,z in metres, "
+                        "East, North, down, as in {} 0,0,30",
+                        option, *text, option));
       }
       *place_m = *place;
     }
@@ -121,14 +122,16 @@ class RaysCommand {
     const Mission& mission = loaded.mission;
     const std::optional<RayChannelOptions>& rays = mission.acoustics.options.rays;
     if (!rays) {
-      return Fail(fmt::format("{}: sound goes straight in this mission; write [acoustics.channel], "
-                              "model = \"rays\"",
-                              options_.file));
+      return Fail(
+          fmt::format("{}: sound goes straight in this mission; write [acoustics.channel], "
+                      "model = \"rays\"",
+                      options_.file));
     }
     if (!rays->arrivals_file.empty()) {
-      return Fail(fmt::format("{}: arrivals come from {}, and no rays are traced; remove "
-                              "arrivals_file to trace them",
-                              options_.file, rays->arrivals_file));
+      return Fail(
+          fmt::format("{}: arrivals come from {}, and no rays are traced; remove "
+                      "arrivals_file to trace them",
+                      options_.file, rays->arrivals_file));
     }
     const std::shared_ptr<RayChannel> channel = MakeRayChannel(mission);
     if (channel == nullptr) {
@@ -146,8 +149,8 @@ class RaysCommand {
   }
 
   int Find() {
-    for (const auto& [option, range_m, depth_m] : {std::tuple("--from", 0.0, link_.source_m),
-                                                   {"--to", link_.range_m, link_.receiver_m}}) {
+    for (const auto& [option, range_m, depth_m] :
+         {std::tuple("--from", 0.0, link_.source_m), {"--to", link_.range_m, link_.receiver_m}}) {
       const double top_m = DepthAt(link_.scene.surface, range_m);
       const double bottom_m = DepthAt(link_.scene.bottom, range_m);
       if (depth_m >= top_m && depth_m <= bottom_m) continue;
@@ -177,10 +180,11 @@ class RaysCommand {
     const auto level = [](double power) {
       return power > 0 ? fmt::format("{:.1f} dB", 10 * Log10(power)) : std::string("none");
     };
-    out_ << fmt::format("a modem gets {} significant arrivals over {:.2f} ms: signal {}, "
-                        "self-interference {}\n",
-                        reception_->num_arrivals, 1000 * reception_->delay_spread_s,
-                        level(reception_->signal), level(reception_->interference));
+    out_ << fmt::format(
+        "a modem gets {} significant arrivals over {:.2f} ms: signal {}, "
+        "self-interference {}\n",
+        reception_->num_arrivals, 1000 * reception_->delay_spread_s, level(reception_->signal),
+        level(reception_->interference));
   }
 
   void PrintTable() {
@@ -190,17 +194,17 @@ class RaysCommand {
     const size_t num_rows = std::min(link_.arrivals.size(), kMaxRows);
     for (size_t i = 0; i < num_rows; ++i) {
       const RayArrival& arrival = link_.arrivals[i];
-      out_ << fmt::format("{:12.6f}{:12.3f}{:12.1f}{:7.0f}{:8.2f}{:8.2f}{:9}{:8}{:10}{:12.1f}\n",
-                          arrival.delay_s, 1000 * (arrival.delay_s - first_s),
-                          10 * Log10(PowerOf(arrival, link_.absorption_dbpkm)),
-                          arrival.phase_rad / kDegree, arrival.launch_rad / kDegree,
-                          arrival.arrive_rad / kDegree, arrival.num_surface, arrival.num_bottom,
-                          arrival.num_caustics, arrival.length_m);
+      out_ << fmt::format(
+          "{:12.6f}{:12.3f}{:12.1f}{:7.0f}{:8.2f}{:8.2f}{:9}{:8}{:10}{:12.1f}\n", arrival.delay_s,
+          1000 * (arrival.delay_s - first_s), 10 * Log10(PowerOf(arrival, link_.absorption_dbpkm)),
+          arrival.phase_rad / kDegree, arrival.launch_rad / kDegree, arrival.arrive_rad / kDegree,
+          arrival.num_surface, arrival.num_bottom, arrival.num_caustics, arrival.length_m);
     }
     if (num_rows < link_.arrivals.size()) {
       out_ << fmt::format("and {} more\n", link_.arrivals.size() - num_rows);
     }
-    out_ << "levels relative to 1 m; angles in degrees, positive down, in the direction of travel\n";
+    out_
+        << "levels relative to 1 m; angles in degrees, positive down, in the direction of travel\n";
   }
 
   const RaysOptions& options_;

@@ -1,7 +1,6 @@
 #include "apps/shoal_rays/rays_command.h"
 
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <filesystem>
@@ -57,8 +56,7 @@ TEST_F(Rays, StateTheShadowAndItsReason) {
               .to = "3000,0,5",
               .overrides = {"acoustics.channel.profile=[[0,1520],[20,1519],[30,1490],[100,1488]]"}};
   ASSERT_EQ(Run(), kExitOk) << err_.str();
-  EXPECT_NE(out_.str().find("shadow zone: sound is slower below and bends down"),
-            std::string::npos)
+  EXPECT_NE(out_.str().find("shadow zone: sound is slower below and bends down"), std::string::npos)
       << out_.str();
 }
 
@@ -101,7 +99,8 @@ TEST_F(Rays, RefuseWhatCannotBeWithTheRemedy) {
 TEST_F(Rays, AreDrawnAsThreeFigures) {
   // A gnuplot that draws the name of its script.
   fs::create_directory(folder_ / "bin");
-  const std::string program = Write("bin/gnuplot", "#!/bin/sh\necho \"$2\" > \"../${2%.gp}.svg\"\n");
+  const std::string program =
+      Write("bin/gnuplot", "#!/bin/sh\necho \"$2\" > \"../${2%.gp}.svg\"\n");
   fs::permissions(program, fs::perms::owner_all);
   options_ = {.file = Write("m.toml", kMission),
               .from = "0,0,30",

@@ -177,11 +177,10 @@ void AcousticTraffic::Launch(double time_s, int source, Shipment shipment) {
   shipment.from_m = positions_m_[static_cast<size_t>(source)];
   std::vector<uint8_t> frame = shipment.payload;
   if (crc_) AppendLittleEndian(Crc32(shipment.payload), &frame);
-  const int64_t number =
-      network_.Transmit(time_s, source, positions_m_, frame, receivers,
-                        {.data_rate_bps = shipment.data_rate_bps,
-                         .channel = channel,
-                         .velocities_mps = velocities_mps_});
+  const int64_t number = network_.Transmit(time_s, source, positions_m_, frame, receivers,
+                                           {.data_rate_bps = shipment.data_rate_bps,
+                                            .channel = channel,
+                                            .velocities_mps = velocities_mps_});
   const AcousticOptions& options = network_.options();
   const double air_s = 8 * static_cast<double>(frame.size()) /
                        shipment.data_rate_bps.value_or(options.data_rate_bps);

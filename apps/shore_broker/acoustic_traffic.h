@@ -54,8 +54,8 @@ class AcousticTraffic {
   /// The most that a packet holds.
   int64_t max_payload_bytes() const { return max_payload_bytes_; }
 
-  /// Sets where a vehicle is, below which its modem may hang, and how it moves over ground. One that is not of the mission joins
-  /// the network, if it has room.
+  /// Sets where a vehicle is, below which its modem may hang, and how it moves over ground. One
+  /// that is not of the mission joins the network, if it has room.
   void Place(std::string_view name, const Eigen::Vector3d& position_m,
              const Eigen::Vector3d& velocity_mps = Eigen::Vector3d::Zero());
 

@@ -126,7 +126,8 @@ const RadioDraws& MediaTraffic::DrawsOf(size_t medium, Kind kind, Node* source,
 
 void MediaTraffic::Place(std::string_view name, const Eigen::Vector3d& position_m) {
   Node* node = FindOrAdd(name);
-  if (node != nullptr && !node->is_true) SetPosition(name, position_m, Eigen::Vector3d::Zero(), node);
+  if (node != nullptr && !node->is_true)
+    SetPosition(name, position_m, Eigen::Vector3d::Zero(), node);
 }
 
 void MediaTraffic::PlaceTruth(std::string_view name, const Eigen::Vector3d& position_m,

@@ -1,5 +1,5 @@
 // How long it takes to find the arrivals of a link that were not looked for before. Each iteration
-// moves the receiver, so that nothing is found twice.
+// moves the receiver, so that nothing is found twice, but for KeptLink.
 //
 //   build/bin/rays_bench
 
@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "lib/sea/acoustics/ray_channel.h"
 #include "lib/sea/rays/eigenrays.h"
 
 namespace shoal {
@@ -55,6 +56,23 @@ void LinkOverASlope(benchmark::State& state) {
   FindLinks(state, scene, 30);
 }
 BENCHMARK(LinkOverASlope)->Unit(benchmark::kMicrosecond);
+
+/// What a modem receives over a link whose arrivals are kept; the vehicles move within their cells.
+void KeptLink(benchmark::State& state) {
+  RayChannelOptions options;
+  const RayScene summer = Summer();
+  options.profile.assign(summer.water[0].profile.points().begin(),
+                         summer.water[0].profile.points().end());
+  options.bottom = *FindBottomType("sand");
+  options.max_launch_deg = 30;
+  RayChannel channel(options, {}, {});
+  RayEnd to = {.position_m = {1000.1, 0, 40.1}, .velocity_mps = {1, 1, 0}};
+  for (auto _ : state) {
+    to.position_m.x() = to.position_m.x() > 1000.9 ? 1000.1 : to.position_m.x() + 0.01;
+    benchmark::DoNotOptimize(channel.Receive({.position_m = {0, 0, 8.2}}, to));
+  }
+}
+BENCHMARK(KeptLink);
 
 }  // namespace
 }  // namespace shoal

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 class NetcdfProfile : public testing::Test {
  protected:
   void SetUp() override {
-    path_ = (fs::temp_directory_path() / ("profile_" + std::to_string(::getpid()) + ".nc")).string();
+    path_ =
+        (fs::temp_directory_path() / ("profile_" + std::to_string(::getpid()) + ".nc")).string();
   }
   void TearDown() override { fs::remove(path_); }
 
@@ -62,8 +63,8 @@ TEST_F(NetcdfProfile, UnpacksTakesKelvinAndLeavesGapsOut) {
   WrittenNetcdf water = Water();
   water.variables[1].type = WrittenType::kShort;
   water.variables[1].values = {2000, -32767, 2500};
-  water.variables[1].numbers = {{"scale_factor", 0.01}, {"add_offset", 273.15},
-                                {"_FillValue", -32767}};
+  water.variables[1].numbers = {
+      {"scale_factor", 0.01}, {"add_offset", 273.15}, {"_FillValue", -32767}};
   water.variables[1].texts["units"] = "K";
   const Result<SoundProfile> profile = Read(water);
   ASSERT_TRUE(profile.ok()) << profile.error();

@@ -26,18 +26,18 @@
 #include "shoal/broker_vehicle_t.hpp"
 #include "shoal/clock_command_t.hpp"
 #include "shoal/clock_state_t.hpp"
+#include "shoal/comms_arrivals_t.hpp"
 #include "shoal/comms_fate_columns_t.hpp"
 #include "shoal/comms_fates_t.hpp"
 #include "shoal/comms_media_t.hpp"
-#include "shoal/comms_arrivals_t.hpp"
 #include "shoal/comms_pulse_columns_t.hpp"
 #include "shoal/comms_pulse_t.hpp"
 #include "shoal/comms_pulses_t.hpp"
 #include "shoal/comms_rules_req_t.hpp"
 #include "shoal/comms_rules_t.hpp"
 #include "shoal/desired_t.hpp"
-#include "shoal/fate_case_t.hpp"
 #include "shoal/fate_arrivals_t.hpp"
+#include "shoal/fate_case_t.hpp"
 #include "shoal/fate_medium_t.hpp"
 #include "shoal/fate_sender_t.hpp"
 #include "shoal/fate_t.hpp"
@@ -122,20 +122,21 @@ std::string BuildError(const std::string& text) {
 }
 
 TEST(Schema, GivesEveryTypeOfShoalTheFingerprintOfLcmGen) {
-  const auto generated = Generated<
-      ack_message_t, acomms_event_t, acomms_member_t, acomms_t, acoustic_path_t, acoustic_rx_on_t,
-      acoustic_rx_t, acoustic_tx_on_t, acoustic_tx_t, actuators_t, appcast_req_t, appcast_t,
-      broker_rule_t, broker_rules_t, broker_vehicle_t, clock_command_t, clock_state_t,
-      comms_fate_columns_t, comms_fates_t, comms_arrivals_t, comms_media_t, comms_pulse_columns_t, comms_pulse_t,
-      comms_pulses_t, comms_rules_req_t, comms_rules_t, desired_t, fate_case_t, fate_arrivals_t, fate_medium_t,
-      fate_sender_t, fate_t, guidance_layer_t, guidance_t, helm_aim_t, helm_command_t,
-      helm_decision_t, helm_state_t, kept_control_t, key_value_t, link_factors_t, modem_stats_t,
-      modem_tx_t, nav_t, navigation_range_t, navigation_t, node_message_t, node_report_t,
-      pulse_end_t, pulse_style_t, relay_t, resend_t, sim_command_t, sonar_beam_t, sonar_t,
-      step_count_t, step_done_t, step_dones_t, step_total_t, swarm_contact_t, swarm_count_t,
-      swarm_source_t, swarm_t, tick_t, unc_control_t, unc_controls_req_t, unc_controls_t,
-      view_circle_t, view_point_t, view_polygon_t, view_seglist_t, view_text_t, water_sample_t>(
-      "shoal");
+  const auto generated =
+      Generated<ack_message_t, acomms_event_t, acomms_member_t, acomms_t, acoustic_path_t,
+                acoustic_rx_on_t, acoustic_rx_t, acoustic_tx_on_t, acoustic_tx_t, actuators_t,
+                appcast_req_t, appcast_t, broker_rule_t, broker_rules_t, broker_vehicle_t,
+                clock_command_t, clock_state_t, comms_fate_columns_t, comms_fates_t,
+                comms_arrivals_t, comms_media_t, comms_pulse_columns_t, comms_pulse_t,
+                comms_pulses_t, comms_rules_req_t, comms_rules_t, desired_t, fate_case_t,
+                fate_arrivals_t, fate_medium_t, fate_sender_t, fate_t, guidance_layer_t, guidance_t,
+                helm_aim_t, helm_command_t, helm_decision_t, helm_state_t, kept_control_t,
+                key_value_t, link_factors_t, modem_stats_t, modem_tx_t, nav_t, navigation_range_t,
+                navigation_t, node_message_t, node_report_t, pulse_end_t, pulse_style_t, relay_t,
+                resend_t, sim_command_t, sonar_beam_t, sonar_t, step_count_t, step_done_t,
+                step_dones_t, step_total_t, swarm_contact_t, swarm_count_t, swarm_source_t, swarm_t,
+                tick_t, unc_control_t, unc_controls_req_t, unc_controls_t, view_circle_t,
+                view_point_t, view_polygon_t, view_seglist_t, view_text_t, water_sample_t>("shoal");
   EXPECT_EQ(Fingerprints(ShoalSchema()), generated) << "a new type? Add it to this test";
 }
 

@@ -165,8 +165,9 @@ void FillInBottom(const FloorOptions& floor, const TablePlace& channel, Acoustic
   if (!options.rays || channel.Has("bottom_depth_m") || channel.Has("follows_floor")) return;
   if (!options.rays->arrivals_file.empty()) return;
   if (floor.style == "none") {
-    channel.Refuse("", "rays need a bottom: write bottom_depth_m = 100, or give the mission a sea "
-                       "floor, [environment.floor]");
+    channel.Refuse("",
+                   "rays need a bottom: write bottom_depth_m = 100, or give the mission a sea "
+                   "floor, [environment.floor]");
   } else if (floor.style == "flat") {
     options.rays->bottom_depth_m = std::max(floor.depth_m, 1.0);
   } else {

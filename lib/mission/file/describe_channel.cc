@@ -68,7 +68,8 @@ void DescribePacketErrors(Fields& fields, RayChannelOptions& rays,
                });
   if (!fields.Has("packet_errors", !rays.packet_errors.empty())) return;
   std::vector<Eigen::Vector2d> points;
-  for (const PacketErrorPoint& each : rays.packet_errors) points.emplace_back(each.snr_db, each.loss);
+  for (const PacketErrorPoint& each : rays.packet_errors)
+    points.emplace_back(each.snr_db, each.loss);
   fields.Pairs("packet_errors", points, Between(-1000, 1000), kMaxErrorRows);
   rays.packet_errors.clear();
   for (const Eigen::Vector2d& point : points) rays.packet_errors.push_back({point.x(), point.y()});

@@ -1,6 +1,5 @@
 // The keys of [acoustics.channel].
 #include <gtest/gtest.h>
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -41,9 +40,8 @@ std::string FirstError(const LoadedMission& loaded) {
 }
 
 TEST(LoadChannel, HasStraightSoundUnlessRaysAreNamed) {
-  EXPECT_FALSE(
-      LoadMissionText(std::string(kShortest) + std::string(kModem), "m.toml", {})
-          .mission.acoustics.options.rays.has_value());
+  EXPECT_FALSE(LoadMissionText(std::string(kShortest) + std::string(kModem), "m.toml", {})
+                   .mission.acoustics.options.rays.has_value());
   const LoadedMission straight = LoadWith("model = \"straight\"\n");
   EXPECT_TRUE(straight.errors.empty());
   EXPECT_FALSE(straight.mission.acoustics.options.rays.has_value());
@@ -90,15 +88,16 @@ TEST(LoadChannel, RefusesWhatCannotBeWithTheRemedy) {
   EXPECT_NE(FirstError(LoadWith("model = \"rays\"\nbottom_depth_m = 50\nbottom = \"lava\"\n"))
                 .find("sand"),
             std::string::npos);
-  EXPECT_NE(FirstError(LoadWith("model = \"rays\"\nbottom_depth_m = 50\nprofile_file = \"no.csv\"\n"))
-                .find("no.csv"),
-            std::string::npos);
-  EXPECT_NE(FirstError(LoadMissionText(std::string(kShortest) +
-                                           "[acoustics.channel]\nmodel = \"rays\"\n"
-                                           "bottom_depth_m = 50\n",
-                                       "m.toml", {}))
-                .find("only a modem knows"),
-            std::string::npos);
+  EXPECT_NE(
+      FirstError(LoadWith("model = \"rays\"\nbottom_depth_m = 50\nprofile_file = \"no.csv\"\n"))
+          .find("no.csv"),
+      std::string::npos);
+  EXPECT_NE(
+      FirstError(LoadMissionText(std::string(kShortest) + "[acoustics.channel]\nmodel = \"rays\"\n"
+                                                          "bottom_depth_m = 50\n",
+                                 "m.toml", {}))
+          .find("only a modem knows"),
+      std::string::npos);
 }
 
 TEST(LoadChannel, WarnsOfWhatHasNoEffect) {
@@ -155,10 +154,10 @@ TEST(LoadChannel, ReadsCastsTablesAndArrivalsBesideTheMission) {
       "", folder.mission());
   EXPECT_NE(FirstError(twice).find("remove one of them"), std::string::npos);
   folder.Write("bay.arr", "'2D'\n25000\n1 30\n");
-  EXPECT_NE(FirstError(LoadWith("model = \"rays\"\narrivals_file = \"bay.arr\"\n", "",
-                                folder.mission()))
-                .find("bay.arr:4: "),
-            std::string::npos);
+  EXPECT_NE(
+      FirstError(LoadWith("model = \"rays\"\narrivals_file = \"bay.arr\"\n", "", folder.mission()))
+          .find("bay.arr:4: "),
+      std::string::npos);
 }
 
 TEST(LoadChannel, StandsInCommsRulesWithItsFloor) {
@@ -172,10 +171,8 @@ TEST(LoadChannel, StandsInCommsRulesWithItsFloor) {
   EXPECT_TRUE(again.errors.empty()) << again.errors.front() << "\n" << text;
   EXPECT_EQ(again.setup, setup);
   // Without rays the text is what it was.
-  const std::string straight =
-      ExplainMedia(MediaOf(LoadMissionText(std::string(kShortest) + std::string(kModem), "m.toml",
-                                           {})
-                               .mission));
+  const std::string straight = ExplainMedia(
+      MediaOf(LoadMissionText(std::string(kShortest) + std::string(kModem), "m.toml", {}).mission));
   EXPECT_EQ(straight.find("channel]"), std::string::npos);
   EXPECT_EQ(straight.find("floor"), std::string::npos);
 }

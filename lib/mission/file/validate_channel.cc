@@ -10,7 +10,7 @@ namespace shoal {
 namespace {
 
 void WarnOfIdleSound(const RayChannelOptions& rays, const AcousticOptions& options,
-                    const TablePlace& network) {
+                     const TablePlace& network) {
   if (network.Below("sea").Has("spreading_exponent")) {
     network.Below("sea").Warn("spreading_exponent",
                               "spreading_exponent has no effect with rays, which spread as the "
@@ -54,10 +54,11 @@ void ValidateChannel(const Mission& mission, const AcousticOptions& options,
   for (size_t i = 0; i < mission.vehicles.size(); ++i) {
     const Vehicle& vehicle = mission.vehicles[i];
     if (rays.follows_floor || vehicle.start.depth_m <= bottom_m) continue;
-    network.Warn("channel",
-                 fmt::format("{} starts at {:g} m, below the bottom of the channel at {:g} m: sound "
-                             "reaches it as if it hung just above",
-                             vehicle.name, vehicle.start.depth_m, bottom_m));
+    network.Warn(
+        "channel",
+        fmt::format("{} starts at {:g} m, below the bottom of the channel at {:g} m: sound "
+                    "reaches it as if it hung just above",
+                    vehicle.name, vehicle.start.depth_m, bottom_m));
   }
 }
 

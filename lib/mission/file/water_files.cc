@@ -52,9 +52,7 @@ constexpr WaterQuantity kSpeed = {"speed of sound",
                                   {"speed_of_sound_in_sea_water", "", ""},
                                   {"sound_speed", "svel", "sound_velocity", "", "", ""}};
 constexpr WaterQuantity kDepth = {
-    "depth",
-    {"depth", "", ""},
-    {"depth", "lev", "deptht", "z", "pres_depth", "depthu"}};
+    "depth", {"depth", "", ""}, {"depth", "lev", "deptht", "z", "pres_depth", "depthu"}};
 
 bool Contains(std::span<const std::string_view> words, std::string_view word) {
   return !word.empty() && std::ranges::find(words, word) != words.end();
@@ -98,8 +96,8 @@ class NetcdfCast {
     std::vector<CastPoint> cast;
     for (size_t i = 0; i < num_points_; ++i) {
       if (std::isnan((*temperatures)[i]) || std::isnan((*salinities)[i])) continue;
-      cast.push_back({DepthOf((*depths_m)[i]),
-                      (*temperatures)[i] - (is_kelvin ? kKelvin_degc : 0), (*salinities)[i]});
+      cast.push_back({DepthOf((*depths_m)[i]), (*temperatures)[i] - (is_kelvin ? kKelvin_degc : 0),
+                      (*salinities)[i]});
     }
     return Named(ProfileOfCast(Downward(std::move(cast))));
   }
@@ -122,9 +120,10 @@ class NetcdfCast {
   Result<std::vector<double>> Column(const WaterQuantity& quantity, uint64_t num_points) const {
     const NetcdfVariable* variable = FindQuantity(file_.header(), quantity);
     if (variable == nullptr) {
-      return Error{fmt::format("{}: no variable is the {}: none has such a standard_name, nor one "
-                               "of the names {}",
-                               path_, quantity.what, fmt::join(quantity.names, " "))};
+      return Error{
+          fmt::format("{}: no variable is the {}: none has such a standard_name, nor one "
+                      "of the names {}",
+                      path_, quantity.what, fmt::join(quantity.names, " "))};
     }
     const uint64_t num_values = file_.header().NumValues(*variable);
     if (num_values == 0 || num_values > kMaxProfilePoints ||
@@ -183,14 +182,16 @@ Result<SoundProfile> ReadProfileFile(const std::string& path) {
           return std::optional<std::string>();
         });
     if (needs_others) {
-      return Error{path + ": only the profile is taken, and this .env needs files beside it; give "
-                          "surface and bottom the kinds V, R or A without ~, or write the profile "
-                          "as a .csv"};
+      return Error{path +
+                   ": only the profile is taken, and this .env needs files beside it; give "
+                   "surface and bottom the kinds V, R or A without ~, or write the profile "
+                   "as a .csv"};
     }
     if (!bay.ok()) return Error{bay.error()};
     if (bay->scene.water.size() == 1) return bay->scene.water.front().profile;
-    return Error{path + ": has profiles at several ranges, and a mission has one; name a .env with "
-                        "option C"};
+    return Error{path +
+                 ": has profiles at several ranges, and a mission has one; name a .env with "
+                 "option C"};
   }
   if (!HasEnding(path, ".csv")) {
     return Error{path + ": a profile is a .csv (a cast), a .nc (NetCDF) or a .env (Bellhop)"};

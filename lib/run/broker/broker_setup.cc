@@ -16,9 +16,8 @@
 namespace shoal {
 
 bool BrokerSetup::HasRays() const {
-  return std::ranges::any_of(media.Networks(), [](const Acoustics* network) {
-    return network->options.rays.has_value();
-  });
+  return std::ranges::any_of(
+      media.Networks(), [](const Acoustics* network) { return network->options.rays.has_value(); });
 }
 
 RaySurroundings BrokerSetup::SurroundingsOf(const Acoustics& acoustics) const {

@@ -25,9 +25,9 @@ bool IsProgram(const fs::path& path) {
 
 /// Those that another program of shoal or a mission of missions/ starts.
 constexpr std::string_view kOwnPrograms[] = {
-    "acomms",         "acoustic_ping",    "c_planner",    "gateway",      "helm",
-    "netsim_manager", "node_reporter",    "recorder",     "referee",      "shoal",
-    "shoal-campaign", "shoal-encounters", "shoal-import", "shoal-log",    "shoal-log-export",
+    "acomms",         "acoustic_ping",    "c_planner",      "gateway",      "helm",
+    "netsim_manager", "node_reporter",    "recorder",       "referee",      "shoal",
+    "shoal-campaign", "shoal-encounters", "shoal-import",   "shoal-log",    "shoal-log-export",
     "shoal-plot",     "shoal-rays",       "shoal-rebroker", "shoal-viewer", "shore_broker",
     "vehicle_sim"};
 

@@ -47,8 +47,8 @@ struct PacketOptions {
   /// An index of the plan's channels; absent: the source's own. Only nodes that receive on it get
   /// the packet, and only packets on it collide with it. @pre the plan has it
   std::optional<int> channel = {};
-  /// How each node moves over ground, x East, y North, z down, in the order of the positions; empty:
-  /// none moves. Matters where sound bends, for Doppler.
+  /// How each node moves over ground, x East, y North, z down, in the order of the positions;
+  /// empty: none moves. Matters where sound bends, for Doppler.
   std::span<const Eigen::Vector3d> velocities_mps = {};
 };
 

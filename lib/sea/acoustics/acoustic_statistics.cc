@@ -28,10 +28,9 @@ void AddLine(std::string_view name, int64_t count, int64_t whole, std::string* t
 
 std::string_view AcousticFateText(AcousticFate fate) {
   static constexpr EnumTable<AcousticFate, std::string_view> kTexts = {
-      "not_listening",         "no_path", "shadow_zone",
-      "half_duplex",           "collision",
-      "packet_loss",           "damaged_by_collision",
-      "damaged_by_bit_errors", "delivered"};
+      "not_listening", "no_path",     "shadow_zone",          "half_duplex",
+      "collision",     "packet_loss", "damaged_by_collision", "damaged_by_bit_errors",
+      "delivered"};
   return kTexts[fate];
 }
 

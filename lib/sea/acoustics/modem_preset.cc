@@ -30,10 +30,9 @@ LinkBudget LinkModel::At(double range_m, double data_rate_bps) const {
 LinkBudget LinkModel::OfPowers(double signal, double interference, double data_rate_bps) const {
   LinkBudget link;
   link.transmission_loss_db = signal > 0 ? -10 * Log10(signal) : kInfinity;
-  link.noise_level_db =
-      interference > 0
-          ? 10 * Log10(Pow(10, noise_level_db_ / 10) + interference * Pow(10, source_level_db_ / 10))
-          : noise_level_db_;
+  link.noise_level_db = interference > 0 ? 10 * Log10(Pow(10, noise_level_db_ / 10) +
+                                                      interference * Pow(10, source_level_db_ / 10))
+                                         : noise_level_db_;
   link.snr_db = SignalToNoise(source_level_db_, link.transmission_loss_db, link.noise_level_db);
   AddBitErrors(data_rate_bps, &link);
   return link;

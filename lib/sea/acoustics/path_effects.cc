@@ -44,8 +44,7 @@ double PathModel::LossByModem(const LinkBudget& budget, size_t num_bytes,
 }
 
 PathEffects PathModel::Draw(double range_m, double freq_khz, size_t num_bytes, const StreamKey& key,
-                            std::optional<double> data_rate_bps,
-                            const RayReception* rays) const {
+                            std::optional<double> data_rate_bps, const RayReception* rays) const {
   Stream stream(key);
   const double jitter_draw = stream.Uniform();
   const double loss_draw = stream.Uniform();
@@ -58,10 +57,9 @@ PathEffects PathModel::Draw(double range_m, double freq_khz, size_t num_bytes, c
     effects.snr_db = budget.snr_db;
   }
   if (options_.packet_loss_model != PacketLossModel::kOff) {
-    effects.loss_probability =
-        options_.packet_loss_model == PacketLossModel::kModem
-            ? LossByModem(budget, num_bytes, rays)
-            : PacketLossProbability(options_, range_m, freq_khz);
+    effects.loss_probability = options_.packet_loss_model == PacketLossModel::kModem
+                                   ? LossByModem(budget, num_bytes, rays)
+                                   : PacketLossProbability(options_, range_m, freq_khz);
     effects.is_lost = loss_draw < effects.loss_probability;
     effects.is_in_shadow = effects.is_lost && rays != nullptr &&
                            rays->shadow != ShadowReason::kNone && effects.loss_probability >= 0.5;

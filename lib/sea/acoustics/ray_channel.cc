@@ -106,7 +106,8 @@ RayChannel::RayChannel(const RayChannelOptions& options, RaySurroundings surroun
       surroundings_(std::move(surroundings)),
       band_(band),
       significant_share_(Pow(10, -options.significant_db / 10)) {
-  SHOAL_CHECK(!options_.follows_floor || surroundings_.floor, "the floor that is followed is known");
+  SHOAL_CHECK(!options_.follows_floor || surroundings_.floor,
+              "the floor that is followed is known");
   SHOAL_CHECK(options_.arrivals_file.empty() || surroundings_.arrivals != nullptr,
               "the arrivals that are named are there");
 }
@@ -132,8 +133,7 @@ RayScene RayChannel::SceneBetween(const Eigen::Vector3d& from_m,
   if (options_.follows_floor && range_m > 0) {
     const int num_points =
         std::clamp(static_cast<int>(range_m / kFloorStep_m) + 1, 2, kMaxFloorPoints);
-    scene.bottom =
-        FloorSection(*surroundings_.floor, from_m.head<2>(), to_m.head<2>(), num_points);
+    scene.bottom = FloorSection(*surroundings_.floor, from_m.head<2>(), to_m.head<2>(), num_points);
     for (BoundaryPoint& point : scene.bottom) point.depth_m = std::max(point.depth_m, 0.1);
   }
   return scene;
@@ -147,10 +147,9 @@ std::vector<RayArrival> RayChannel::FindArrivals(const RayScene& scene, double r
   }
   RayLimits limits;
   const double straight_rad = Atan2(std::abs(receiver_m - source_m), range_m);
-  limits.max_launch_rad =
-      std::min(std::max(options_.max_launch_deg * std::numbers::pi / 180,
-                        straight_rad + kLaunchMargin_rad),
-               kSteepestLaunch_rad);
+  limits.max_launch_rad = std::min(
+      std::max(options_.max_launch_deg * std::numbers::pi / 180, straight_rad + kLaunchMargin_rad),
+      kSteepestLaunch_rad);
   limits.min_reflection = kWeakestReflection;
   limits.max_bounces = kMaxBounces;
   return FindEigenrays(scene, {0, source_m}, {range_m, receiver_m}, limits);
@@ -186,8 +185,8 @@ RayChannel::Link RayChannel::FindLink(const Eigen::Vector3d& from_m,
   const double own_range_m = RangeBetween(from_m, to_m);
   link.source_m = WithinWater(from_m.z(), DepthAt(scene.bottom, 0));
   link.receiver_m = WithinWater(to_m.z(), DepthAt(scene.bottom, own_range_m));
-  link.range_m = std::max({own_range_m, kNearestRange_m,
-                           kSteepestRatio * std::abs(link.receiver_m - link.source_m)});
+  link.range_m = std::max(
+      {own_range_m, kNearestRange_m, kSteepestRatio * std::abs(link.receiver_m - link.source_m)});
   const std::vector<RayArrival> arrivals =
       FindArrivals(scene, link.range_m, link.source_m, link.receiver_m);
   const bool has_absorption =
@@ -199,12 +198,12 @@ RayChannel::Link RayChannel::FindLink(const Eigen::Vector3d& from_m,
   bool has_direct = false;
   for (const RayArrival& arrival : arrivals) {
     const Path path = {.delay_s = arrival.delay_s,
-                 .power = PowerOf(arrival, absorption_dbpkm),
-                 .by_range = Cos(arrival.launch_rad) / c_source,
-                 .by_source = -Sin(arrival.launch_rad) / c_source,
-                 .by_receiver = Sin(arrival.arrive_rad) / c_receiver,
-                 .num_surface = static_cast<int16_t>(std::min(arrival.num_surface, 1000)),
-                 .num_bottom = static_cast<int16_t>(std::min(arrival.num_bottom, 1000))};
+                       .power = PowerOf(arrival, absorption_dbpkm),
+                       .by_range = Cos(arrival.launch_rad) / c_source,
+                       .by_source = -Sin(arrival.launch_rad) / c_source,
+                       .by_receiver = Sin(arrival.arrive_rad) / c_receiver,
+                       .num_surface = static_cast<int16_t>(std::min(arrival.num_surface, 1000)),
+                       .num_bottom = static_cast<int16_t>(std::min(arrival.num_bottom, 1000))};
     strongest = std::max(strongest, path.power);
     link.paths.push_back(path);
   }
@@ -265,8 +264,7 @@ RayReception RayChannel::Receive(const RayEnd& from, const RayEnd& to) {
       range_m > 0 ? (apart_m.x() * apart_mps.x() + apart_m.y() * apart_mps.y()) / range_m : 0;
   const double speed_mps = profile_.SpeedAt(to.position_m.z());
   const auto doppler_of = [&](const Path& path) {
-    return -speed_mps * (path.by_range * range_rate_mps +
-                         path.by_source * from.velocity_mps.z() +
+    return -speed_mps * (path.by_range * range_rate_mps + path.by_source * from.velocity_mps.z() +
                          path.by_receiver * to.velocity_mps.z());
   };
   reception.doppler_mps = doppler_of(*strongest);
@@ -282,8 +280,8 @@ RayReception RayChannel::Receive(const RayEnd& from, const RayEnd& to) {
   reception.delay_spread_s = last_s - reception.travel_s;
   for (const Path& path : link.paths) {
     const double late_s = delay_of(path) - reception.travel_s;
-    const bool adds = late_s <= options_.window_s &&
-                      std::abs(doppler_of(path)) <= options_.max_doppler_mps;
+    const bool adds =
+        late_s <= options_.window_s && std::abs(doppler_of(path)) <= options_.max_doppler_mps;
     (adds ? reception.signal : reception.interference) += path.power;
   }
   return reception;

@@ -60,14 +60,14 @@ struct RayEnd {
 };
 
 struct RayReception {
-  double travel_s = 0;          ///< Of the earliest significant arrival.
-  double signal = 0;            ///< Power of the arrivals that add up, relative to that at 1 m.
-  double interference = 0;      ///< Power of all others.
-  int num_arrivals = 0;         ///< That are significant.
-  double delay_spread_s = 0;    ///< From the first of them to the last.
-  int num_surface = 0;          ///< Bounces of the strongest.
+  double travel_s = 0;        ///< Of the earliest significant arrival.
+  double signal = 0;          ///< Power of the arrivals that add up, relative to that at 1 m.
+  double interference = 0;    ///< Power of all others.
+  int num_arrivals = 0;       ///< That are significant.
+  double delay_spread_s = 0;  ///< From the first of them to the last.
+  int num_surface = 0;        ///< Bounces of the strongest.
   int num_bottom = 0;
-  double doppler_mps = 0;       ///< Of the strongest: how fast its path grows shorter.
+  double doppler_mps = 0;  ///< Of the strongest: how fast its path grows shorter.
   ShadowReason shadow = ShadowReason::kNone;
 };
 
@@ -93,9 +93,9 @@ class RayChannel {
   /// One arrival of a cell's middle: what does not change within the cell, and how delay changes.
   struct Path {
     double delay_s = 0;
-    double power = 0;         ///< Absorption taken away.
-    double by_range = 0;      ///< d delay / d range, s/m.
-    double by_source = 0;     ///< d delay / d depth of the source.
+    double power = 0;      ///< Absorption taken away.
+    double by_range = 0;   ///< d delay / d range, s/m.
+    double by_source = 0;  ///< d delay / d depth of the source.
     double by_receiver = 0;
     int16_t num_surface = 0;
     int16_t num_bottom = 0;

@@ -19,15 +19,15 @@ struct PacketErrorPoint {
 
 struct RayChannelOptions {
   std::vector<SpeedPoint> profile = {{0, 1500}};
-  bool follows_floor = false;    ///< The bottom is the sea floor of the mission.
-  double bottom_depth_m = 100;   ///< Else it is flat, here.
+  bool follows_floor = false;   ///< The bottom is the sea floor of the mission.
+  double bottom_depth_m = 100;  ///< Else it is flat, here.
   HalfSpace bottom = {};
-  double wind_mps = 0;           ///< Raises waves at the surface.
-  double max_launch_deg = 60;    ///< Rays are launched up to this angle, up and down; < 90.
-  double window_s = 0.01;        ///< Arrivals up to this long after the first add to the signal.
-  double significant_db = 20;    ///< Weaker than the strongest by more than this: not significant.
-  double max_doppler_mps = 5;    ///< Arrivals with more do not add to the signal.
-  double cell_m = 1;             ///< Arrivals are kept by cells of position with this side; > 0.
+  double wind_mps = 0;         ///< Raises waves at the surface.
+  double max_launch_deg = 60;  ///< Rays are launched up to this angle, up and down; < 90.
+  double window_s = 0.01;      ///< Arrivals up to this long after the first add to the signal.
+  double significant_db = 20;  ///< Weaker than the strongest by more than this: not significant.
+  double max_doppler_mps = 5;  ///< Arrivals with more do not add to the signal.
+  double cell_m = 1;           ///< Arrivals are kept by cells of position with this side; > 0.
   std::vector<PacketErrorPoint> packet_errors = {};  ///< Empty: the modem's bit error rate decides.
 
   // Where data came from: paths as the mission file has them; empty: not from a file.

@@ -11,7 +11,7 @@
 namespace shoal::ray_channel_test {
 
 /// A summer's thermocline.
-const std::vector<SpeedPoint> kSummer = {{0, 1524},  {12, 1523.5}, {18, 1516},  {25, 1503},
+const std::vector<SpeedPoint> kSummer = {{0, 1524},  {12, 1523.5}, {18, 1516},   {25, 1503},
                                          {32, 1496}, {45, 1492},   {70, 1490.5}, {100, 1490}};
 
 RayChannelOptions Summer() {
@@ -126,8 +126,8 @@ TEST(RayChannel, SeesTheSameWhereSeaAndPlacesAreTurned) {
   const GridFrame turned = {
       .columns = 2, .rows = 5, .south_west_m = {-1000, 0}, .cell_m = {2000, 250}};
   RayChannel channel(options, {.floor = Ridge()}, {});
-  RayChannel other(
-      options, {.floor = SeaFloor(std::make_shared<const DepthGrid>(turned, depths_m))}, {});
+  RayChannel other(options,
+                   {.floor = SeaFloor(std::make_shared<const DepthGrid>(turned, depths_m))}, {});
   const RayReception a = channel.Receive(At(100.5, 0.5, 60.5), At(700.5, 0.5, 10.5));
   const RayReception b = other.Receive(At(0.5, 100.5, 60.5), At(0.5, 700.5, 10.5));
   EXPECT_NEAR(a.travel_s, b.travel_s, 1e-12);
@@ -193,8 +193,7 @@ TEST(RayChannel, HasAPathStraightDownAndBetweenTouchingModems) {
 
 TEST(RayChannel, TakesTheArrivalsOfAFile) {
   const Result<ArrivalTable> table = ReadBellhopArrivals(
-      "bay.arr",
-      "'2D'\n25000\n1 30\n2 10 60\n1 1000\n1\n0\n1\n1e-3 0 0.7 0 1.5 2.5 0 1\n");
+      "bay.arr", "'2D'\n25000\n1 30\n2 10 60\n1 1000\n1\n0\n1\n1e-3 0 0.7 0 1.5 2.5 0 1\n");
   ASSERT_TRUE(table.ok()) << (table.ok() ? "" : table.error());
   RayChannelOptions options;
   options.arrivals_file = "bay.arr";

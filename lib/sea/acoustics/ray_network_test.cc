@@ -92,7 +92,7 @@ TEST(RayNetwork, DoesNotCollideWithWhatDoesNotArrive) {
   ASSERT_EQ(arrived.size(), 2U);
   for (const Arrived& each : arrived) {
     EXPECT_EQ(each.reception.fate, each.reception.packet.source == 2 ? AcousticFate::kDelivered
-                                                                      : AcousticFate::kShadowZone);
+                                                                     : AcousticFate::kShadowZone);
   }
 }
 
@@ -112,8 +112,7 @@ TEST(RayNetwork, LosesAFastReceiverBeyondTheModemsDoppler) {
   options.rays->max_doppler_mps = 3;
   const Positions positions_m = {{0, 0, 60}, {300, 0, 80}};
   const Positions velocities_mps = {{2, 0, 0}, {-2, 0, 0}};
-  const Reception reception =
-      SendOne(options, positions_m, {.velocities_mps = velocities_mps});
+  const Reception reception = SendOne(options, positions_m, {.velocities_mps = velocities_mps});
   EXPECT_EQ(reception.fate, AcousticFate::kLost);
   EXPECT_NEAR(reception.rays->doppler_mps, 4, 0.05);
   EXPECT_EQ(reception.rays->shadow, ShadowReason::kNone);

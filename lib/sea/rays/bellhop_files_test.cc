@@ -195,9 +195,10 @@ TEST(Bty, IsReadWithCommentsAndInBothSpellings) {
   env.bottom = "'A~' 0.0\n60 1650 0.0 1.9 0.8 /";
   const std::vector<BoundaryPoint> expected = {{0, 50}, {1500, 60}};
   EXPECT_EQ(MustRead(env.Text(), {{".bty", "'L'\n2\n0 50\n1.5 60\n"}}).scene.bottom, expected);
-  EXPECT_EQ(MustRead(env.Text(), {{".bty", "\"LS\" ! short form\n  2\n0.0, 50.0 /\n1.5\t60.0 / end\n"}})
-                .scene.bottom,
-            expected);
+  EXPECT_EQ(
+      MustRead(env.Text(), {{".bty", "\"LS\" ! short form\n  2\n0.0, 50.0 /\n1.5\t60.0 / end\n"}})
+          .scene.bottom,
+      expected);
 }
 
 // 12, 13
@@ -263,7 +264,8 @@ TEST(Trc, IsReadAndRefused) {
 TEST(Arr, IsReadInBothFormsAndJoinsTheTwoRowsOfAPath) {
   const std::string rows =
       "  2\n"
-      " 2\n 6.0e-4 540.0 0.70000000 -1.0e-9 1.5 2.5 1 2\n 4.0e-4 540.0 0.70000001 -1.0e-9 1.6 2.6 1 "
+      " 2\n 6.0e-4 540.0 0.70000000 -1.0e-9 1.5 2.5 1 2\n 4.0e-4 540.0 0.70000001 -1.0e-9 1.6 2.6 "
+      "1 "
       "2\n 0\n";
   const std::string head = "'2D'\n 25000.0\n 1 30.0\n 1 60.0\n 2 1000.0 2000.0\n";
   const std::string older = "25000.0 1 1 2\n30.0\n60.0\n1000.0 2000.0\n";
@@ -301,7 +303,8 @@ TEST(Arr, IsRefusedWithTheLine) {
 }
 
 TEST(Casts, AreReadByTheirColumns) {
-  const Result<SoundProfile> speeds = ReadCast("c.csv", "# cruise 7\nspeed_mps,z_m\n1500,0\n1490,20\n");
+  const Result<SoundProfile> speeds =
+      ReadCast("c.csv", "# cruise 7\nspeed_mps,z_m\n1500,0\n1490,20\n");
   ASSERT_TRUE(speeds.ok()) << speeds.error();
   EXPECT_EQ(*speeds, ProfileOf({{0, 1500}, {20, 1490}}));
   const Result<SoundProfile> water =
@@ -324,9 +327,9 @@ TEST(Casts, AreReadByTheirColumns) {
 
 /// Changes a text at some places, as damaged files and wrong hands do.
 std::string Mutant(const std::string& text, Stream* stream) {
-  constexpr std::string_view kPieces[] = {"",  " ",   "/",   "'",    ",",  "-",    "1e309", "nan",
-                                          "0", "\n",  "*",   "9*1",  "\"", "\x01", "-1",    "1d99",
-                                          "!", "1e9", "999999999999", "A~"};
+  constexpr std::string_view kPieces[] = {
+      "",    " ",  "/",    "'",  ",",    "-", "1e309", "nan",          "0", "\n", "*",
+      "9*1", "\"", "\x01", "-1", "1d99", "!", "1e9",   "999999999999", "A~"};
   std::string mutant = text;
   const auto changes = 1 + stream->UniformInt(4);
   for (uint64_t i = 0; i < changes && !mutant.empty(); ++i) {

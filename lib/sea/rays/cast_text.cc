@@ -66,8 +66,9 @@ class TableText {
     for (const WantedColumn& column : wanted) {
       const std::optional<size_t> place = Find(column);
       if (!place) {
-        return At(name_, head_line_, "no column '" + std::string(column.name) +
-                                         "'; the first line must name the columns");
+        return At(
+            name_, head_line_,
+            "no column '" + std::string(column.name) + "'; the first line must name the columns");
       }
       places.push_back(*place);
     }
@@ -79,8 +80,9 @@ class TableText {
         const std::optional<double> number =
             places[i] < cells.size() ? NumberIn(cells[places[i]]) : std::nullopt;
         if (!number) {
-          return At(name_, line_, "the column '" + std::string(wanted[i].name) +
-                                      "' needs a number here; remove rows without data");
+          return At(name_, line_,
+                    "the column '" + std::string(wanted[i].name) +
+                        "' needs a number here; remove rows without data");
         }
         row.push_back(*number);
       }

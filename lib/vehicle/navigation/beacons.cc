@@ -59,9 +59,8 @@ BeaconReading BeaconReceiver::ReadPacket(size_t beacon, int64_t number,
                                          double time_s) const {
   // Whether it is received is the network's business.
   Stream draws(keys_.at(beacon).With(number));
-  const double range_m =
-      RangeTo(beacons_.at(beacon), position_m)
-          .value_or((beacons_.at(beacon).position_m - position_m).norm());
+  const double range_m = RangeTo(beacons_.at(beacon), position_m)
+                             .value_or((beacons_.at(beacon).position_m - position_m).norm());
   return Measure(beacon, range_m, position_m, heading_rad, time_s, &draws);
 }
 
@@ -73,11 +72,11 @@ BeaconReading BeaconReceiver::Measure(size_t number, double range_m,
   BeaconReading reading;
   reading.beacon = number;
   reading.kind = beacon.kind;
-  reading.range_m = beacon.kind == BeaconKind::kTwoWay
-                        ? TwoWayRange(range_m, ranging_.sound_speed_mps, beacon.turnaround_s,
-                                      clock_, ranging_.errors, draws)
-                        : OneWayRange(range_m, ranging_.sound_speed_mps, clock_, time_s,
-                                      ranging_.errors, draws);
+  reading.range_m =
+      beacon.kind == BeaconKind::kTwoWay
+          ? TwoWayRange(range_m, ranging_.sound_speed_mps, beacon.turnaround_s, clock_,
+                        ranging_.errors, draws)
+          : OneWayRange(range_m, ranging_.sound_speed_mps, clock_, time_s, ranging_.errors, draws);
   if (ranging_.usbl) {
     reading.direction = WithNoise(truth, *ranging_.usbl, draws);
     reading.direction->range_m = reading.range_m;

@@ -53,8 +53,8 @@ struct BeaconReading {
   std::optional<UsblReading> direction;  ///< Its range is range_m.
 };
 
-/// Returns how long sound takes from one place to another, s, by its first arrival; nothing where it
-/// does not come.
+/// Returns how long sound takes from one place to another, s, by its first arrival; nothing where
+/// it does not come.
 using TravelTimes = std::function<std::optional<double>(const Eigen::Vector3d& from_m,
                                                         const Eigen::Vector3d& to_m)>;
 
