@@ -133,7 +133,7 @@ Result<FieldReader> FieldReader::Find(const Schema& schema, std::string_view typ
       std::string example(name);
       for (size_t i = 0; i < member.dimensions.size(); ++i) example += "[0]";
       return Error{fmt::format("{} of {} is {}: write {}", name, level->name,
-                               member.dimensions.empty() ? "no array" : "an array", example)};
+                               member.dimensions.empty() ? "not an array" : "an array", example)};
     }
     for (size_t i = 0; i < part.elements.size(); ++i) {
       const Dimension& dimension = member.dimensions[i];

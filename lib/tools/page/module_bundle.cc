@@ -93,7 +93,7 @@ class Bundle {
     return body + fmt::format("return {{{}}};\n", exports);
   }
 
-  /// Returns what stands in place of an import statement of the module `path`.
+  /// Returns what is in place of an import statement of the module `path`.
   Result<std::string> Imported(const std::string& path, std::string_view statement) {
     const size_t open = statement.find('\'');
     const size_t close = statement.find('\'', open + 1);
