@@ -38,7 +38,7 @@ export function tidyFrame(frame) {
   };
 }
 
-/** The protocol that this page was made for (docs/viewer_protocol.md). */
+/** The protocol that this page was made for (docs/extending/viewer_protocol.md). */
 export const kProtocol = 2;
 
 /** A setup with vehicles that have names, notes and the ends of its time. */

@@ -4,7 +4,7 @@
 //   await editor.open();
 //   await editor.edit({do: 'move', handle: 3, point: 0, points: [[10, -20]]});
 //
-// The viewer makes every change of the text and checks it (docs/viewer_protocol.md, /api/plan): the
+// The viewer makes every change of the text and checks it (docs/extending/viewer_protocol.md, /api/plan): the
 // page never writes TOML by itself.
 
 const kMaxSteps = 100;

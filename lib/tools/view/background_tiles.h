@@ -16,7 +16,7 @@ namespace shoal {
 [[nodiscard]] Result<std::string> TileOf(const BackgroundFolder& backgrounds, size_t number,
                                          const TileName& tile);
 
-/// Writes `backgrounds` of /api/setup, as the value of a key: docs/viewer_protocol.md.
+/// Writes `backgrounds` of /api/setup, as the value of a key: docs/extending/viewer_protocol.md.
 void WriteBackgrounds(const BackgroundFolder& backgrounds, JsonWriter* json);
 
 }  // namespace shoal

@@ -1,5 +1,5 @@
 // A mission file that is being edited on the map, as the viewer's page has it: /api/plan of
-// docs/viewer_protocol.md.
+// docs/extending/viewer_protocol.md.
 #pragma once
 
 #include <optional>
