@@ -139,7 +139,8 @@ Result<std::optional<std::string>> TileOfMbtiles(const std::string& path, const 
   if (code != SQLITE_ROW) return database.Problem(code);
   const void* bytes = sqlite3_column_blob(found->get(), 0);
   const auto size = static_cast<size_t>(sqlite3_column_bytes(found->get(), 0));
-  if (bytes == nullptr || size > kMaxTileBytes) return std::optional<std::string>();
+  if (size > kMaxTileBytes) return database.Problem(SQLITE_TOOBIG);
+  if (bytes == nullptr) return std::optional<std::string>();
   return std::optional(std::string(static_cast<const char*>(bytes), size));
 }
 
