@@ -88,9 +88,9 @@ void AddView(Command shoal, CommandAction* action) {
   auto options = std::make_shared<ViewOptions>();
   auto example = std::make_shared<bool>(false);
   const Option log = command.AddOption("LOG", &options->log,
-                                        "A log, the folder of a recording, or a mission file "
-                                        "(.toml) to plan; default: the mission that "
-                                        "runs");
+                                       "A log, the folder of a recording, or a mission file "
+                                       "(.toml) to plan; default: the mission that "
+                                       "runs");
   log.Check([](const std::string& text) {
     return text.empty() ? "it is empty: name a log, or the folder of a recording" : "";
   });

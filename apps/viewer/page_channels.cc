@@ -72,7 +72,7 @@ SampledChannel Sampled(ChannelSource& channels, const std::string& name, double 
 Json ChannelsForPage(ChannelSource& channels, double begin_s, double end_s,
                      const PageChannelsOptions& options, std::vector<std::string>* notes) {
   const Json known = Json::parse(channels.ChannelsJson(end_s))["channels"];
-  // The last message of each tells how much one holds.
+  // The last message of each shows how much one holds.
   size_t num_values = 1;
   for (const Json& channel : known) {
     const auto message = channels.MessageJson(channel["name"], end_s);

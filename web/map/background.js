@@ -274,7 +274,7 @@ export class Backgrounds {
 const folderOf = (files) => (
   String(files[0]?.path ?? files[0]?.webkitRelativePath ?? '').split('/').find(Boolean) ?? 'tiles');
 
-// Of a coast, the shape that comes nearest tells whether all of it lies elsewhere.
+// Of a coast, the shape that comes nearest shows whether all of it lies elsewhere.
 function nearestShapes(shapes, mission) {
   if (!mission) return [shapes[0].box];
   const away = ({box}) => Math.hypot(

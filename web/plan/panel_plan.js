@@ -61,16 +61,16 @@ export class PlanPanel {
   removeChosen() { return this.layer.isOpen && this.layer.removeChosen(); }
 
   async #try(work) {
-    this.#say('');
+    this.#state('');
     try {
       await work();
     } catch (error) {
-      this.#say(failureOf(error).message, true);
+      this.#state(failureOf(error).message, true);
       if (this.editor.plan) this.#show(this.editor.plan);
     }
   }
 
-  #say(text, isBad = false) {
+  #state(text, isBad = false) {
     setText(this.note, clip(text, 500));
     setAttribute(this.note, 'data-state', isBad ? 'bad' : null);
   }
@@ -269,30 +269,30 @@ export class PlanPanel {
     const {orders, left} = updatesBetween(original, plan);
     for (const {target, words} of orders) await this.page.commands.send(target, words);
     const more = left.length > 0 ? ` Only in a new run: ${left.join('; ')}.` : '';
-    this.#tell(orders.length === 0 ? `Nothing of it can be sent.${more}`
+    this.#report(orders.length === 0 ? `Nothing of it can be sent.${more}`
       : `${orders.length} sent; the panel Commands shows what became of them.${more}`);
   }
 
-  #tell(text, ...more) {
+  #report(text, ...more) {
     this.outcome.replaceChildren(clip(text, 500), ...more);
   }
 
   #write() {
-    return this.#try(async () => this.#tell(`Written: ${await this.editor.save()}`));
+    return this.#try(async () => this.#report(`Written: ${await this.editor.save()}`));
   }
 
   #run() {
     return this.#try(async () => {
       this.runButton.disabled = true;
-      this.#tell('The mission starts …');
+      this.#report('The mission starts …');
       try {
         const {file, url} = await this.editor.run();
         // Of a viewer on this machine; other addresses are no links.
         const isOwn = /^http:\/\/[\w.:[\]-]+\/(\?token=[0-9a-f]+)?$/.test(String(url));
-        this.#tell(`${file} runs. `, isOwn ? element('a', {id: 'plan-open', href: url, target: '_blank',
+        this.#report(`${file} runs. `, isOwn ? element('a', {id: 'plan-open', href: url, target: '_blank',
           rel: 'noopener'}, 'Open its viewer') : String(url));
       } catch (error) {
-        this.#tell('');
+        this.#report('');
         throw error;
       } finally {
         this.runButton.disabled = false;

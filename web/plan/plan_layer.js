@@ -1,4 +1,4 @@
-// The places of a plan on the map: they can be dragged, added and drawn anew.
+// The places of a plan on the map: they can be dragged, added and drawn again.
 //
 //   none --press on a point--> dragging --release--> an edit
 //   none --tool--> drawing --clicks, then Enter or a second click on the last--> an edit

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/base/arithmetic/elementary.h"
 #include "lib/mission/plan/plan_text.h"
 #include "lib/mission/toml/suggest.h"
 
@@ -138,8 +139,8 @@ struct Editor {
     if (add.kind == "loiter") {
       constexpr double kRadius_m = 30;
       const double radius_m = points_m.size() > 1
-                                  ? std::max(1.0, std::hypot(points_m[1].x() - points_m[0].x(),
-                                                             points_m[1].y() - points_m[0].y()))
+                                  ? std::max(1.0, Hypot(points_m[1].x() - points_m[0].x(),
+                                                        points_m[1].y() - points_m[0].y()))
                                   : kRadius_m;
       return fmt::format("center = {}\nradius_m = {}\n", PointText(points_m[0]),
                          NumberText(radius_m));

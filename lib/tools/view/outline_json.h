@@ -1,4 +1,5 @@
-// Places and outlines of tasks and behaviors as JSON: docs/extending/viewer_protocol.md, /api/setup.
+// Places and outlines of tasks and behaviors as JSON: docs/extending/viewer_protocol.md,
+// /api/setup.
 #pragma once
 
 #include <Eigen/Core>

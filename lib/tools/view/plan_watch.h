@@ -17,7 +17,7 @@ namespace shoal {
 /// Of one vehicle.
 class PlanWatch {
  public:
-  /// A longer plan is not told: the map keeps that of the mission file.
+  /// A longer plan is not sent: the map keeps that of the mission file.
   static constexpr size_t kMaxPlan_bytes = 8'000;
 
   PlanWatch() = default;

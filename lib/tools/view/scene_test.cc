@@ -192,10 +192,11 @@ TEST_F(SceneTest, IsCopiedByValue) {
 }
 
 TEST(SceneChannels, AreThoseToWhichItSubscribes) {
-  std::vector<std::string> expected = {
-      "COMMS_FATES", "COMMS_MEDIA",       "COMMS_RULES",  "HELM_STATE_ALPHA", "NAV_ALPHA",
-      "NODE_REPORT", "NODE_REPORT_LOCAL", "SWARM_ALPHA",  "VIEW_CIRCLE",      "VIEW_COMMS_PULSE",
-      "VIEW_POINT",  "VIEW_POLYGON",      "VIEW_SEGLIST", "VIEW_TEXT"};
+  std::vector<std::string> expected = {"COMMS_FATES",        "COMMS_MEDIA",       "COMMS_RULES",
+                                       "HELM_COMMAND_ALPHA", "HELM_STATE_ALPHA",  "NAV_ALPHA",
+                                       "NODE_REPORT",        "NODE_REPORT_LOCAL", "SWARM_ALPHA",
+                                       "VIEW_CIRCLE",        "VIEW_COMMS_PULSE",  "VIEW_POINT",
+                                       "VIEW_POLYGON",       "VIEW_SEGLIST",      "VIEW_TEXT"};
   ForEachShownChannel(
       [&]<class Row, size_t kRow>() { expected.push_back(Row::ChannelOf("alpha").name); });
   std::sort(expected.begin(), expected.end());

@@ -160,7 +160,7 @@ test('it runs, and its own viewer shows it', async () => {
   assert.equal(await running.evaluate(() => globalThis.shoalViewer.setup.obstacles.length), 1);
 });
 
-test('a recording is planned anew, by those who may only look too', async () => {
+test('a recording is planned again, by those who may only look too', async () => {
   const log = join(stage.folder, 'rec');
   const short = join(folder, 'short.toml');
   writeFileSync(short, readFileSync(file, 'utf8').replace('duration_s = 600', 'duration_s = 5')
