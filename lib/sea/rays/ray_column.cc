@@ -79,9 +79,8 @@ std::vector<double> RayColumn::CriticalAngles() const {
   for (size_t i = source_ + 1; i < vertices_.size(); ++i) add(i, &fastest);
   fastest = own;
   add(receiver_, &fastest);
-  std::ranges::sort(angles);
-  const auto repeated = std::ranges::unique(angles);
-  angles.erase(repeated.begin(), repeated.end());
+  std::sort(angles.begin(), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
   return angles;
 }
 
@@ -137,16 +136,16 @@ void RayColumn::AddTurn(double sine, double p, double gradient, bool has_times, 
 }
 
 RayParts RayColumn::PartsAt(double launch_rad, const Kind& kind, bool has_times) const {
-  const auto [sine, cosine] = SinCos(launch_rad);
+  const SineAndCosine launch = SinCos(launch_rad);
   const size_t upper = std::min(source_, receiver_);
   const size_t lower = std::max(source_, receiver_);
   RayParts parts;
-  parts.p = cosine / vertices_[source_].speed_mps;
-  parts.up = Cross(kind.top, upper, sine, parts.p, has_times);
-  parts.between = Cross(upper, lower, sine, parts.p, has_times);
-  parts.down = Cross(lower, kind.bottom, sine, parts.p, has_times);
+  parts.p = launch.cosine / vertices_[source_].speed_mps;
+  parts.up = Cross(kind.top, upper, launch.sine, parts.p, has_times);
+  parts.between = Cross(upper, lower, launch.sine, parts.p, has_times);
+  parts.down = Cross(lower, kind.bottom, launch.sine, parts.p, has_times);
   const auto add_turn = [&](size_t vertex, double gradient, PathSum* sum) {
-    const double sine_there = std::sqrt(std::max(0.0, SquareAt(vertex, sine)));
+    const double sine_there = std::sqrt(std::max(0.0, SquareAt(vertex, launch.sine)));
     AddTurn(sine_there, parts.p, gradient, has_times, sum);
   };
   if (kind.turns_above) add_turn(kind.top, vertices_[kind.top - 1].gradient, &parts.up);

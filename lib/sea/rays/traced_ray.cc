@@ -339,9 +339,8 @@ RayTracer::RayTracer(const RayScene& scene) : scene_(scene) {
   for (const BoundaryPoint& point : scene.surface) ranges_m_.push_back(point.range_m);
   for (const BoundaryPoint& point : scene.bottom) ranges_m_.push_back(point.range_m);
   for (const ProfileAtRange& profile : scene.water) ranges_m_.push_back(profile.range_m);
-  std::ranges::sort(ranges_m_);
-  const auto repeated = std::ranges::unique(ranges_m_);
-  ranges_m_.erase(repeated.begin(), repeated.end());
+  std::sort(ranges_m_.begin(), ranges_m_.end());
+  ranges_m_.erase(std::unique(ranges_m_.begin(), ranges_m_.end()), ranges_m_.end());
 }
 
 TracedRay RayTracer::Trace(const SectionPoint& source, double range_m, double launch_rad,
