@@ -102,7 +102,7 @@ points = [[60, -150]]
       Math.round(canvas.clientHeight / 2 - (-95 - cy) / metresPerPixel), 1, 1).data;
     return r > 120 && g < 120;
   }));
-  assert.match(await named.textContent('#notes'), /missing\.geojson cannot be read/);
+  assert.match(await named.textContent('#notes'), /there is no missing\.geojson in .*: put it there/);
   stage.errors = stage.errors.filter((text) => !/404/.test(text));
 });
 
