@@ -55,7 +55,7 @@ struct MoosDatabaseCounts {
   int64_t silent = 0;    ///< Closed: nothing came for kSilence_us.
   int64_t broken = 0;    ///< Closed: what came was not MOOS's.
   int64_t slow = 0;      ///< Closed: more waited for it than kMaxWaitingBytes.
-  int64_t lost = 0;      ///< Writes that nobody fetched with TakeMail.
+  int64_t lost = 0;      ///< Writes that were not fetched with TakeMail.
   int64_t requests = 0;  ///< Server requests and messages of unknown types, not answered.
 };
 
@@ -102,7 +102,7 @@ class MoosDatabase {
     size_t num_mail_bytes = 0;
     std::string handshake = {};  ///< The answer to its name, to be sent first.
     bool is_closing = false;
-    bool is_closed = false;  ///< TakeOutput has said so.
+    bool is_closed = false;  ///< TakeOutput has returned that.
   };
 
   void Begin(MoosNow now);

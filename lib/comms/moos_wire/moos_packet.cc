@@ -153,7 +153,7 @@ std::string ReadMoosPacket(std::string_view packet, std::vector<MoosMessage>* me
   }
   if (length != packet.size()) return "a packet does not have the length that it states";
   if (is_compressed != 0) return "a packet is compressed, which no MOOSDB does";
-  // Before the memory for so many is asked for.
+  // Before the memory for that number is asked for.
   if (count > reader.num_left() / kMinMoosMessageBytes) {
     return "a packet of " + std::to_string(length) + " bytes states " + std::to_string(count) +
            " messages";

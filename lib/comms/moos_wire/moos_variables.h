@@ -1,4 +1,4 @@
-// The variables of a MOOS community and who is subscribed to which: the memory of a MOOSDB.
+// The variables of a MOOS community and the clients that subscribe to each: the memory of a MOOSDB.
 //
 //   MoosVariables variables(limits);
 //   variables.Subscribe(client, "NAV_X", 0.5, &mail);      // the present value comes at once
@@ -27,7 +27,7 @@ namespace shoal {
 /// A client of a MOOSDB; never used again for another.
 using MoosClientId = uint64_t;
 
-/// Messages and to whom they go, in order.
+/// Messages, each with the client that gets it, in order.
 using MoosMail = std::vector<std::pair<MoosClientId, MoosMessage>>;
 
 /// What clients can bring a MOOSDB to remember, at most.

@@ -9,7 +9,7 @@ namespace shoal::moos_variables_test {
 constexpr MoosClientId kAnn = 1;
 constexpr MoosClientId kBob = 2;
 
-/// "1:X=3 2:X=3": who gets which value.
+/// "1:X=3 2:X=3": which client gets which value.
 std::string TextOf(const MoosMail& mail) {
   std::string text;
   for (const auto& [client, message] : mail) {
